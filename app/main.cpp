@@ -1,0 +1,2 @@
+// The command `lustro`.
+int main() { return 0; }

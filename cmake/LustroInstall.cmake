@@ -1,0 +1,1 @@
+# `cmake --install`: library, headers, command, CMake package and pkg-config file.

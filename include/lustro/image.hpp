@@ -1,0 +1,96 @@
+// Float images: what a renderer makes, what is written and compared.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lustro/options.hpp"
+#include "lustro/result.hpp"
+
+namespace lustro {
+
+/// width x height pixels of `channels` floats, interleaved, the top row first.
+struct Image {
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  std::vector<float> pixels;
+
+  Image() = default;
+  Image(int width_, int height_, int channels_)
+      : width(width_),
+        height(height_),
+        channels(channels_),
+        pixels(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * static_cast<std::size_t>(channels_)) {}
+
+  [[nodiscard]] std::span<float> at(int x, int y) { return {pixels.data() + offset(x, y), static_cast<std::size_t>(channels)}; }
+  [[nodiscard]] std::span<const float> at(int x, int y) const { return {pixels.data() + offset(x, y), static_cast<std::size_t>(channels)}; }
+
+ private:
+  [[nodiscard]] std::size_t offset(int x, int y) const {
+    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) * static_cast<std::size_t>(channels);
+  }
+};
+
+/// One named image of a rendering: the picture's terms, depth, normals, ...
+struct Layer {
+  std::string name;                   ///< `diffuse`, `normal`, `light:0`, ...
+  std::vector<std::string> channels;  ///< as an EXR file names them: {"R","G","B"}, {"X","Y","Z"}, {"Z"}
+  Image image;
+  std::vector<std::string> labels;    ///< for ids: the name of object or material i
+};
+
+/// The colour picture (linear, alpha premultiplied) as it is written.
+struct WriteOptions {
+  int bits = 8;  ///< PNG: 8 or 16
+  Transfer transfer = Transfer::srgb;
+  int png_level = 6;  ///< 0..12 of libdeflate, or 0..9 of zlib
+};
+
+/// 8 bits per channel, interleaved, alpha not premultiplied: the very bytes that a PNG holds.
+struct ByteImage {
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  std::vector<std::uint8_t> pixels;
+};
+
+/// Stored bytes of a linear, premultiplied RGBA (or RGB, or one-channel) image: unpremultiplied, encoded, round(255 clamp(x, 0, 1)).
+[[nodiscard]] ByteImage to_bytes(const Image& image, Transfer transfer);
+
+/// Writes an image by its extension: .png (8 or 16 bit), .exr or .pfm (float, linear). Under a temporary name in the same folder, then renamed: an
+/// existing file is replaced whole or not at all. Equal pixels give equal bytes.
+/// errors  unsupported for another extension; io where the file cannot be written
+[[nodiscard]] Result<void> write_image(const std::filesystem::path& file, const Image& image, const WriteOptions& options = {});
+
+/// The colour picture and its layers as one EXR file with named layers (`diffuse.R`, `normal.X`, ...), float, linear.
+[[nodiscard]] Result<void> write_exr_layers(const std::filesystem::path& file, const Image& color, std::span<const Layer> layers);
+
+/// A layer as a PNG that can be looked at: depth scaled near = white, normals and positions mapped to 0..1, ids by a colour table, terms encoded.
+[[nodiscard]] Image layer_preview(const Layer& layer);
+
+/// Bytes under a temporary name in the same folder, then renamed.
+[[nodiscard]] Result<void> write_file_atomically(const std::filesystem::path& file, std::span<const std::byte> bytes);
+
+/// An image file as linear floats, alpha premultiplied: PNG (8, 16 bit; decoded by `transfer`), EXR, PFM. At most 16384 x 16384 pixels.
+[[nodiscard]] Result<Image> read_image(const std::filesystem::path& file, Transfer transfer = Transfer::srgb);
+
+/// How two pictures differ. Both are compared as they would be stored: encoded by `transfer`, clamped to 0..1, over black.
+struct Comparison {
+  double max = 0;    ///< largest absolute difference of a channel
+  double mean = 0;   ///< mean absolute difference
+  double rmse = 0;
+  double psnr = 0;   ///< dB; infinity for equal pictures
+  double share_over = 0;  ///< share of pixels in which a channel differs by more than the tolerance
+  double flip = 0;   ///< mean FLIP error, 0..1 (Andersson et al. 2020, LDR, 67 pixels a degree)
+  Image heatmap;     ///< H x W x 3, linear: FLIP error as a colour
+};
+
+/// errors  usage where the sizes differ
+[[nodiscard]] Result<Comparison> compare_images(const Image& a, const Image& b, double tolerance = 2.0 / 255, Transfer transfer = Transfer::srgb);
+
+}  // namespace lustro

@@ -1,0 +1,62 @@
+// The words of the scene file as C++ enums. The same words name the JSON values, the command's flags and the Python keywords
+// (src/scene/words.hpp turns them into text and back).
+#pragma once
+
+#include <cstdint>
+
+namespace lustro {
+
+/// How a point is lit. Formulas in shade/lighting.hpp.
+enum class Lighting : std::uint8_t {
+  constant,     ///< k_d alone, unlit (MTL illum 0)
+  lambert,      ///< ambient and diffuse, no highlight
+  phong,        ///< highlight by (R.V)^n, Phong 1975
+  blinn_phong,  ///< highlight by (N.H)^n, Blinn 1977
+};
+
+/// Where the lighting is evaluated.
+enum class Interpolation : std::uint8_t {
+  flat,     ///< once a face, at its centre, with the face's normal
+  gouraud,  ///< at the vertices; the colour, clamped to 0..1 there, is interpolated (Gouraud 1971)
+  phong,    ///< at every pixel, with the interpolated normal (Phong 1975)
+};
+
+/// How `phong` interpolates the normal.
+enum class NormalInterpolation : std::uint8_t {
+  lerp,   ///< weighted sum, then normalised
+  slerp,  ///< spherical weighted average (Buss and Fillmore 2001); on an edge the classic sin formula
+};
+
+/// How missing vertex normals are made from the faces around a vertex.
+enum class VertexNormals : std::uint8_t { uniform, area, angle };
+
+/// What is stored for a linear value.
+enum class Transfer : std::uint8_t {
+  none,  ///< the value itself
+  srgb,  ///< its sRGB encoding; encoded inputs are decoded first
+};
+
+enum class Projection : std::uint8_t { perspective, orthographic };
+
+/// Where the camera stands when the scene names no eye.
+enum class ViewPreset : std::uint8_t { three_quarter, iso, front, back, left, right, top, bottom };
+
+enum class LightType : std::uint8_t { directional, point, spot };
+
+enum class FogMode : std::uint8_t { linear, exp, exp2 };
+
+enum class ColorSpace : std::uint8_t {
+  linear,   ///< light itself
+  encoded,  ///< sRGB when the transfer is `srgb` (8-bit colours, MTL, library materials); as it stands when it is `none`
+};
+
+/// The parts of the lighting sum.
+struct TermSet {
+  bool ambient = true;
+  bool diffuse = true;
+  bool specular = true;
+  bool emission = true;
+  friend bool operator==(const TermSet&, const TermSet&) = default;
+};
+
+}  // namespace lustro

@@ -1,0 +1,138 @@
+// The scene: what the scene file says, as plain data with its defaults. docs/using/scene-file.md describes every key.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "lustro/material.hpp"
+#include "lustro/mesh.hpp"
+#include "lustro/options.hpp"
+#include "lustro/result.hpp"
+
+namespace lustro {
+
+/// The key `image`.
+struct ImageSettings {
+  int width = 1024;  ///< pixels, 1..16384
+  int height = 768;
+  int samples = 4;  ///< coverage samples a pixel: 1, 2, 4, 8 or 16
+  Transfer transfer = Transfer::srgb;
+  Color background{{0.1F, 0.1F, 0.12F}};
+  float background_alpha = 1;
+  bool transparent = false;  ///< the background has alpha 0
+};
+
+/// The key `camera`. Right-handed, y up on the image. What is not stated frames the whole scene.
+struct Camera {
+  Projection projection = Projection::perspective;
+  ViewPreset view = ViewPreset::three_quarter;  ///< used when there is no eye
+  std::optional<Vec3d> eye;
+  std::optional<Vec3d> target;
+  std::optional<Vec3d> up;
+  double fov = 42;               ///< vertical, degrees, perspective
+  std::optional<double> height;  ///< world units, orthographic
+  std::optional<double> near;    ///< distance along the view direction
+  std::optional<double> far;
+};
+
+/// The key `shading`.
+struct Shading {
+  Lighting lighting = Lighting::phong;
+  Interpolation interpolation = Interpolation::phong;
+  NormalInterpolation normals = NormalInterpolation::lerp;
+  VertexNormals vertex_normals = VertexNormals::angle;
+  std::optional<double> crease;  ///< degrees, 0..180; 180 when not stated, 40 for STL
+  bool recompute_normals = false;
+  TermSet terms;
+  bool two_sided = false;
+  bool normalized = false;  ///< energy-normalised specular lobes, times N.L
+};
+
+/// The key `attenuation` of a light.
+struct Attenuation {
+  double constant = 1, linear = 0, quadratic = 0;  ///< f = 1 / (c + l d + q d^2)
+  std::optional<double> falloff;                   ///< if stated: f = 1 / d^falloff
+  bool unclamped = false;                          ///< without it f is limited to 1
+};
+
+/// One entry of `lights`.
+struct Light {
+  LightType type = LightType::directional;
+  std::string name;
+  Vec3d position{0, 0, 0};    ///< world; point and spot
+  Vec3d direction{0, 0, -1};  ///< the way that the light travels, world, of any length but 0; directional and spot
+  Color ambient{{0, 0, 0}};
+  Color diffuse{{1, 1, 1}};
+  Color specular{{1, 1, 1}};
+  Attenuation attenuation;
+  double cutoff = 45;          ///< half angle, degrees, 0..90
+  std::optional<double> beam;  ///< half angle, degrees, smaller than cutoff
+  double exponent = 0;         ///< 0..10000
+};
+
+/// The key `fog`, on the Euclidean distance from the eye to the point.
+struct Fog {
+  FogMode mode = FogMode::exp;
+  double density = 1;
+  double start = 0;
+  double end = 1;
+  Color color{{0, 0, 0}};
+};
+
+/// One entry of `objects`.
+struct Object {
+  std::string name;
+  std::string source;                ///< the key `mesh`: a file, or `primitive:NAME`; only for messages once `mesh` is there
+  std::shared_ptr<const Mesh> mesh;  ///< filled by load_scene(), or by hand
+  std::optional<Material> material;  ///< overrides the mesh's own
+  Mat4 matrix;                       ///< world_from_object
+};
+
+struct Scene {
+  ImageSettings image;
+  Camera camera;
+  Shading shading;
+  Color ambient{{0.2F, 0.2F, 0.2F}};         ///< I_a
+  std::optional<std::vector<Light>> lights;  ///< nothing: a default rig that moves with the camera; empty: no light
+  std::optional<Fog> fog;
+  std::vector<Object> objects;
+};
+
+/// A loaded scene and what was noticed on the way.
+struct LoadedScene {
+  Scene scene;
+  Notes notes;
+};
+
+struct LoadOptions {
+  bool transparency_is_tr = false;  ///< an MTL file's lone `Tr` is the opacity (as 3ds Max writes it), not 1 - opacity
+};
+
+/// The scene that a JSON text describes, meshes not loaded yet (Object::source names them).
+/// file    only for messages
+/// errors  malformed, with the line and column of broken JSON or the path of the key; usage for an unknown library material
+[[nodiscard]] Result<Scene> parse_scene(std::string_view json, const std::string& file = "scene");
+
+/// Loads what the objects' `source` names, relative to `folder`, by the scene's shading options. Objects that have a mesh keep it. A file that
+/// two objects name is loaded once.
+[[nodiscard]] Result<Notes> load_meshes(Scene& scene, const std::filesystem::path& folder, const LoadOptions& options = {});
+
+/// A scene file or a bare mesh file, by content. A bare mesh is the scene with that one object, lit on both sides.
+[[nodiscard]] Result<LoadedScene> load_scene(const std::filesystem::path& file, const LoadOptions& options = {});
+
+/// A mesh file as it states itself (OBJ, PLY, STL): by content first, then by extension. The MTL files that an OBJ names are read from its folder.
+[[nodiscard]] Result<SourceMesh> load_mesh_file(const std::filesystem::path& file, const LoadOptions& options = {});
+
+/// The scene as JSON text that parse_scene() reads back to the same scene. Stated are the keys that differ from their defaults.
+[[nodiscard]] std::string scene_json(const Scene& scene);
+
+/// The JSON Schema (draft 2020-12) of the scene file, made from the table of options.
+[[nodiscard]] std::string scene_schema();
+
+}  // namespace lustro

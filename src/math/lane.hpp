@@ -1,0 +1,37 @@
+// What an arithmetic lane must offer beside + - * / and comparisons, and the lane of one float. A SIMD lane type offers the same names, so
+// that the lighting equation is written once. Every operation here is exact or correctly rounded by IEEE 754: equal bits on every machine.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace lustro {
+
+// clang-format off
+/// select(mask, a, b): a where the mask holds, else b. Both sides are evaluated.
+inline float select(bool mask, float a, float b) { return mask ? a : b; }
+inline double select(bool mask, double a, double b) { return mask ? a : b; }
+
+/// max(a, b) = a > b ? a : b: b where either is NaN, the same on every instruction set.
+template <class F> F lane_max(const F& a, const F& b) { return select(a > b, a, b); }
+template <class F> F lane_min(const F& a, const F& b) { return select(a < b, a, b); }
+template <class F> F clamp01(const F& a) { return lane_min(lane_max(a, F(0)), F(1)); }
+template <class F> F lane_abs(const F& a) { return select(a < F(0), -a, a); }
+
+inline float square_root(float a) { return std::sqrt(a); }
+inline double square_root(double a) { return std::sqrt(a); }
+
+/// The bits of a float and back, for exponents and mantissas.
+template <class F> struct LaneInt;
+template <> struct LaneInt<float> { using type = std::int32_t; };
+template <class F> using IntOf = typename LaneInt<F>::type;
+inline std::int32_t bits_of(float a) { return std::bit_cast<std::int32_t>(a); }
+inline float from_bits(std::int32_t bits) { return std::bit_cast<float>(bits); }
+/// Exact for |i| < 2^24.
+inline float to_float(std::int32_t i) { return static_cast<float>(i); }
+/// Towards zero; the argument must fit an int32.
+inline std::int32_t truncate(float a) { return static_cast<std::int32_t>(a); }
+// clang-format on
+
+}  // namespace lustro
