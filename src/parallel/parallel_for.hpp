@@ -6,8 +6,8 @@
 
 namespace lustro {
 
-/// Calls body(i) for every i in 0..count-1, on at most `threads` threads (0: one a core). The order is free, so a body may depend on nothing that
-/// another one writes.
+/// Calls body(i) for every i in 0..count-1, on at most `threads` threads (0: one a core). The order is free, so a body may depend on nothing
+/// that another one writes.
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
 
 }  // namespace lustro

@@ -1,0 +1,50 @@
+// log2, exp2 and x^n from additions, multiplications and the bits of a float: libm differs between systems, this does not. The polynomials
+// are minimax fits of our own (Remez, relative error); evaluation is Estrin's scheme, whose order is part of the promised bits.
+// Errors are measured over the whole range by tests/math/power_test.cpp.
+#pragma once
+
+#include "math/lane.hpp"
+
+namespace lustro {
+
+/// log2(x). x: positive, normal. Relative error below 4e-7 (of the result, also near x = 1).
+template <class F>
+F log2_of(const F& x) {
+  using I = IntOf<F>;
+  constexpr std::int32_t kSqrtHalf = 0x3F3504F3;  // the bits of sqrt(1/2): the mantissa is taken from sqrt(1/2)..sqrt(2)
+  const I shifted = bits_of(x) - I(kSqrtHalf);
+  const F exponent = to_float(shifted >> 23);
+  const F f = from_bits((shifted & I(0x007FFFFF)) + I(kSqrtHalf)) - F(1);
+  const F f2 = f * f;
+  const F f4 = f2 * f2;
+  const F low = (F(1.442694902F) + F(-0.7213528156F) * f) + (F(0.4809232354F) + F(-0.3602396250F) * f) * f2;
+  const F high = (F(0.2870987058F) + F(-0.2488768697F) * f) + (F(0.2340423763F) + F(-0.1458116919F) * f) * f2;
+  return exponent + f * (low + high * f4);
+}
+
+/// 2^y. y <= -100 gives 0, so that no intermediate is ever a denormal; y >= 127 gives 2^127. Relative error below 3e-7. Exactly 1 at y = 0.
+template <class F>
+F exp2_of(const F& y) {
+  using I = IntOf<F>;
+  const F clamped = lane_min(lane_max(y, F(-100)), F(127));
+  const I whole = truncate(clamped + F(128.5F)) - I(128);  // nearest whole number, for the argument is above -128.5
+  const F r = clamped - to_float(whole);
+  const F r2 = r * r;
+  const F low = (F(1) + F(0.6931471825F) * r) + (F(0.2402264625F) + F(0.05550328642F) * r) * r2;
+  const F high = (F(0.009618489072F) + F(0.001339993090F) * r) + F(0.0001534581243F) * r2;
+  const F mantissa = low + high * (r2 * r2);
+  return select(y <= F(-100), F(0), mantissa * from_bits((whole + I(127)) << 23));
+}
+
+/// x^n with the conventions of lighting: x^0 = 1 for every x, 0 to a positive power is 0, negative x counts as 0. Below 2^-100 the result is 0,
+/// above 2^127 it is 2^127. Exactly 1 at x = 1. Relative error below 1e-6 (1 + |n log2 x|).
+template <class F>
+F power(const F& x, const F& n) {
+  constexpr float kSmallestNormal = 1.17549435e-38F;
+  const F base = lane_max(x, F(kSmallestNormal));
+  const F result = exp2_of(n * log2_of(base));
+  const F at_zero = select(n < F(0), F(1.7014118e38F), F(0));
+  return select(n == F(0), F(1), select(x < F(kSmallestNormal), at_zero, result));
+}
+
+}  // namespace lustro

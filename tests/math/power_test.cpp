@@ -1,0 +1,82 @@
+// power.hpp against libm in double precision, over the whole range of floats.
+#include "math/power.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace lustro {
+namespace {
+
+TEST(Power, Log2StaysBelowItsStatedErrorOverAllExponents) {
+  double worst = 0;
+  for (std::uint32_t bits = 0x00800000; bits < 0x7F800000; bits += 997) {  // every normal exponent, about 2 million values
+    const float x = from_bits(static_cast<std::int32_t>(bits));
+    const double exact = std::log2(static_cast<double>(x));
+    const double error = std::abs(static_cast<double>(log2_of(x)) - exact) / std::max(std::abs(exact), 1e-30);
+    if (exact != 0) {
+      worst = std::max(worst, error);
+    }
+  }
+  EXPECT_LT(worst, 4e-7);
+  EXPECT_EQ(log2_of(1.0F), 0.0F);
+  EXPECT_EQ(log2_of(8.0F), 3.0F);
+}
+
+TEST(Power, Log2IsAccurateNextToOne) {
+  for (int step = -2000; step <= 2000; ++step) {
+    const float x = from_bits(bits_of(1.0F) + step);
+    const double exact = std::log2(static_cast<double>(x));
+    EXPECT_NEAR(static_cast<double>(log2_of(x)), exact, 4e-7 * std::abs(exact)) << step;
+  }
+}
+
+TEST(Power, Exp2StaysBelowItsStatedError) {
+  double worst = 0;
+  for (int i = -99999; i < 127000; ++i) {
+    const float y = static_cast<float>(i) / 1000.0F;
+    const double exact = std::exp2(static_cast<double>(y));
+    worst = std::max(worst, std::abs(static_cast<double>(exp2_of(y)) - exact) / exact);
+  }
+  EXPECT_LT(worst, 3e-7);
+  EXPECT_EQ(exp2_of(0.0F), 1.0F);
+  EXPECT_EQ(exp2_of(-3.0F), 0.125F);
+}
+
+TEST(Power, Exp2IsZeroOrNormalEverywhere) {
+  for (float y : {-100.0F, -100.5F, -150.0F, -1e30F}) {
+    EXPECT_EQ(exp2_of(y), 0.0F) << y;
+  }
+  EXPECT_GT(exp2_of(-99.99F), 1.17549435e-38F);
+  EXPECT_EQ(exp2_of(1e30F), exp2_of(127.0F));
+}
+
+TEST(Power, FollowsTheConventionsOfLighting) {
+  EXPECT_EQ(power(0.0F, 0.0F), 1.0F);
+  EXPECT_EQ(power(0.5F, 0.0F), 1.0F);
+  EXPECT_EQ(power(-1.0F, 0.0F), 1.0F);
+  EXPECT_EQ(power(0.0F, 5.0F), 0.0F);
+  EXPECT_EQ(power(-0.5F, 2.0F), 0.0F);
+  EXPECT_EQ(power(1.0F, 1000.0F), 1.0F);
+  EXPECT_GT(power(0.0F, -2.0F), 1e38F);
+}
+
+TEST(Power, StaysBelowItsStatedErrorForExponentsOfMaterials) {
+  std::mt19937 random(1);
+  double worst = 0;
+  for (int i = 0; i < 1000000; ++i) {
+    const float x = static_cast<float>(random() >> 8) * 0x1p-24F;
+    const float n = static_cast<float>(random() >> 8) * 0x1p-24F * 200.0F;
+    const double y = static_cast<double>(n) * std::log2(static_cast<double>(x));
+    if (x == 0 || y < -99.9) {
+      continue;
+    }
+    const double exact = std::exp2(y);
+    worst = std::max(worst, std::abs(static_cast<double>(power(x, n)) - exact) / exact / (1 + std::abs(y)));
+  }
+  EXPECT_LT(worst, 1e-6);
+}
+
+}  // namespace
+}  // namespace lustro
