@@ -13,6 +13,9 @@ namespace lustro {
 inline float select(bool mask, float a, float b) { return mask ? a : b; }
 inline double select(bool mask, double a, double b) { return mask ? a : b; }
 
+/// Whether a mask holds in any lane.
+inline bool any_of(bool mask) { return mask; }
+
 /// max(a, b) = a > b ? a : b: b where either is NaN, the same on every instruction set.
 template <class F> F lane_max(const F& a, const F& b) { return select(a > b, a, b); }
 template <class F> F lane_min(const F& a, const F& b) { return select(a < b, a, b); }

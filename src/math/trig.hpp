@@ -30,7 +30,7 @@ inline constexpr double kPi = 3.14159265358979323846;
 /// The angle between two vectors, 0..pi, accurate for small and large angles; 0 where one is zero.
 [[nodiscard]] double angle_between(const Vec3d& a, const Vec3d& b);
 
-/// sin(u) / u and cos(u) for 0 <= u <= pi; absolute error below 6e-7.
+/// sin(u) / u and cos(u) for 0 <= u <= pi; absolute error below 8e-7.
 template <class F>
 struct SineOverX {
   F sine_over_x, cosine;

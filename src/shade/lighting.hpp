@@ -1,0 +1,217 @@
+// THE lighting equation: the only place where light meets surface. F is a lane type: float for the reference, N floats for a kernel.
+// shade/lighting.glsl is its mirror, line for line.
+//
+//   I = k_e + k_a I_a + sum_i f_i s_i [ k_a l_a + k_d l_d max(N.L, 0) + k_s l_s spec ]
+//
+//   spec = 0                    lambert      Lambert 1760
+//          max(R.V, 0)^n        phong        Phong 1975, R = 2 (N.L) N - L
+//          max(N.H, 0)^n        blinn-phong  Blinn 1977, H = (L + V) / |L + V|
+//   spec = 0 where N.L <= 0
+//
+// source  OpenGL 2.1 specification, 2.14.1, for the terms and their gates; docs/using/scene-file.md for falloff, beam and clamping
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "lustro/options.hpp"
+#include "lustro/vec.hpp"
+#include "math/lane.hpp"
+#include "math/power.hpp"
+
+namespace lustro {
+
+/// A point to be lit. Positions are relative to the eye: large coordinates lose no digits.
+template <class F>
+struct Surface {
+  Vec3<F> position;  ///< world orientation, relative to the eye
+  Vec3<F> normal;    ///< N, unit, on the side that is seen
+  Vec3<F> to_eye;    ///< V, unit
+};
+
+/// The material at that point. A term that is switched off has its coefficient 0.
+template <class F>
+struct Coefficients {
+  Vec3<F> ambient, diffuse, specular, emission;
+  F shininess;
+};
+
+/// A light, ready to shine: scene/prepare.cpp makes it from lustro::Light. The same for all lanes.
+struct ShadingLight {
+  LightType type = LightType::directional;
+  Vec3f position;  ///< relative to the eye
+  Vec3f travel;    ///< unit, the way that the light travels
+  Vec3f ambient, diffuse, specular;
+  Vec3f attenuation{1, 0, 0};   ///< constant, linear, quadratic
+  float falloff = 0;            ///< p of 1/d^p where p is none of 0, 1, 2 (those are polynomials), else 0
+  float attenuation_limit = 1;  ///< 1, or a huge number for `unclamped`
+  float cos_cutoff = 0;
+  float cos_beam = 0;
+  float beam_scale = 0;  ///< 1 / (cos_beam - cos_cutoff); 0: no beam
+  float exponent = 0;
+};
+
+/// How a light arrives at a point.
+template <class F>
+struct Incident {
+  Vec3<F> to_light;  ///< L, unit
+  F distance;        ///< 0 for a directional light
+  F attenuation;     ///< f
+  F spot;            ///< s
+};
+
+/// One light's part of the sum.
+template <class F>
+struct LightTerms {
+  Vec3<F> ambient, diffuse, specular;
+};
+
+/// The whole sum, term by term. The colour is their sum in exactly this order.
+template <class F>
+struct Terms {
+  Vec3<F> ambient, diffuse, specular, emission;
+
+  Vec3<F> sum() const { return ((ambient + diffuse) + specular) + emission; }
+};
+
+/// f = 1 / (c + l d + q d^2), or 1 / d^p; at most the limit.
+template <class F>
+F attenuate(const ShadingLight& light, const F& distance) {
+  F attenuation;
+  if (light.falloff == 0.0F) {
+    const Vec3<F> c = vec_cast<F>(light.attenuation);
+    attenuation = F(1) / (c.x + (c.y + c.z * distance) * distance);
+  } else {
+    attenuation = power(distance, F(-light.falloff));
+  }
+  return lane_min(attenuation, F(light.attenuation_limit));
+}
+
+/// s = 0 outside the cutoff, else cs^exponent, faded from 1 at the beam to 0 at the cutoff by smoothstep between the cosines.
+template <class F>
+F spot_factor(const ShadingLight& light, const F& cs) {
+  F spot = power(cs, F(light.exponent));
+  if (light.beam_scale != 0.0F) {
+    const F t = clamp01((cs - F(light.cos_cutoff)) * F(light.beam_scale));
+    spot = spot * (t * t * (F(3) - F(2) * t));
+  }
+  return select(cs < F(light.cos_cutoff), F(0), spot);
+}
+
+/// L, distance, f and s of a light at a point.
+template <class F>
+Incident<F> incident_light(const ShadingLight& light, const Vec3<F>& position) {
+  if (light.type == LightType::directional) {
+    return {vec_cast<F>(-light.travel), F(0), F(1), F(1)};
+  }
+  const Vec3<F> offset = vec_cast<F>(light.position) - position;
+  const F distance = square_root(lane_max(dot(offset, offset), F(1e-30F)));  // in the light itself L is 0: no diffuse, no highlight
+  const Vec3<F> to_light = offset * (F(1) / distance);
+  const F attenuation = attenuate(light, distance);
+  if (light.type == LightType::point) {
+    return {to_light, distance, attenuation, F(1)};
+  }
+  return {to_light, distance, attenuation, spot_factor(light, -dot(vec_cast<F>(light.travel), to_light))};
+}
+
+/// R = 2 (N.L) N - L
+template <class F>
+Vec3<F> reflect_about(const Vec3<F>& normal, const Vec3<F>& to_light) {
+  return normal * (F(2) * dot(normal, to_light)) - to_light;
+}
+
+/// R.V
+template <class F>
+F r_dot_v(const Surface<F>& s, const Vec3<F>& to_light) {
+  return dot(reflect_about(s.normal, to_light), s.to_eye);
+}
+
+/// N.H, 0 where L and V are opposite and H does not exist.
+template <class F>
+F n_dot_h(const Surface<F>& s, const Vec3<F>& to_light) {
+  const Vec3<F> sum = to_light + s.to_eye;
+  return dot(s.normal, sum) / lane_max(length(sum), F(1e-15F));
+}
+
+/// What makes the lobe reflect exactly the share k_s of a uniform environment at normal incidence; the lobe is then a BRDF and is weighted by
+/// N.L.
+///   phong        (n + 2) / 2                            Lafortune and Willems 1994, times pi for classic units
+///   blinn-phong  (n + 2) (n + 4) / (8 (2^(-n/2) + n))   exact at normal incidence, times pi
+template <Lighting model, class F>
+F lobe_normalization(const F& n) {
+  if constexpr (model == Lighting::phong) {
+    return (n + F(2)) * F(0.5F);
+  } else {
+    return ((n + F(2)) * (n + F(4))) / (F(8) * (exp2_of(n * F(-0.5F)) + n));
+  }
+}
+
+/// spec, gated: 0 where N.L <= 0.
+template <Lighting model, class F>
+F specular_factor(const Surface<F>& s, const F& shininess, const Vec3<F>& to_light, const F& n_dot_l, bool normalized) {
+  F cosine;
+  if constexpr (model == Lighting::phong) {
+    cosine = r_dot_v(s, to_light);
+  } else {
+    cosine = n_dot_h(s, to_light);
+  }
+  F spec = power(lane_max(cosine, F(0)), shininess);
+  if (normalized) {
+    spec = spec * (lobe_normalization<model>(shininess) * n_dot_l);
+  }
+  return select(n_dot_l > F(0), spec, F(0));
+}
+
+/// f s [ k_a l_a + k_d l_d max(N.L, 0) + k_s l_s spec ]: one light's part.
+template <Lighting model, class F>
+LightTerms<F> reflect_light(const Surface<F>& s, const Coefficients<F>& k, const ShadingLight& light, const Incident<F>& in, bool normalized) {
+  const F strength = in.attenuation * in.spot;
+  const F n_dot_l = dot(s.normal, in.to_light);
+  LightTerms<F> part;
+  part.ambient = (k.ambient * vec_cast<F>(light.ambient)) * strength;
+  part.diffuse = (k.diffuse * vec_cast<F>(light.diffuse)) * (strength * lane_max(n_dot_l, F(0)));
+  if constexpr (model != Lighting::lambert) {
+    const F spec = specular_factor<model>(s, k.shininess, in.to_light, n_dot_l, normalized);
+    part.specular = (k.specular * vec_cast<F>(light.specular)) * (strength * spec);
+  }
+  return part;
+}
+
+/// The whole equation at one point. visit(i, incident, part) sees every light's part, in order.
+template <Lighting model, class F, class Visit>
+Terms<F> light_surface(const Surface<F>& s, const Coefficients<F>& k, const Vec3f& ambient_light, std::span<const ShadingLight> lights,
+                       bool normalized, Visit&& visit) {
+  if constexpr (model == Lighting::constant) {
+    return {{}, k.diffuse, {}, {}};
+  } else {
+    Terms<F> terms{k.ambient * vec_cast<F>(ambient_light), {}, {}, k.emission};
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+      const Incident<F> in = incident_light(lights[i], s.position);
+      const LightTerms<F> part = reflect_light<model>(s, k, lights[i], in, normalized);
+      terms.ambient += part.ambient;
+      terms.diffuse += part.diffuse;
+      terms.specular += part.specular;
+      visit(i, in, part);
+    }
+    return terms;
+  }
+}
+
+/// The same with the model chosen at run time.
+template <class F, class Visit>
+Terms<F> light_surface(Lighting model, const Surface<F>& s, const Coefficients<F>& k, const Vec3f& ambient_light,
+                       std::span<const ShadingLight> lights, bool normalized, Visit&& visit) {
+  switch (model) {
+    case Lighting::constant:
+      return light_surface<Lighting::constant>(s, k, ambient_light, lights, normalized, visit);
+    case Lighting::lambert:
+      return light_surface<Lighting::lambert>(s, k, ambient_light, lights, normalized, visit);
+    case Lighting::phong:
+      return light_surface<Lighting::phong>(s, k, ambient_light, lights, normalized, visit);
+    case Lighting::blinn_phong:
+      break;
+  }
+  return light_surface<Lighting::blinn_phong>(s, k, ambient_light, lights, normalized, visit);
+}
+
+}  // namespace lustro
