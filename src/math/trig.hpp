@@ -51,7 +51,9 @@ SineOverX<F> sine_over_x(const F& u) {
 /// The angle in 0..pi whose sine is `s` >= 0 and whose cosine is `c`; absolute error below 2e-6.
 template <class F>
 F angle_of(const F& s, const F& c) {
-  const F tan_half = s / lane_max(F(1) + c, F(1e-30F));                           // tan(a/2)
+  const auto obtuse =
+      c < F(0);  // tan(a/2) = s / (1 + c) = (1 - c) / s, by whichever does not cancel; both parts below 2e15, whose square is finite
+  const F tan_half = select(obtuse, F(1) - c, s) / lane_max(select(obtuse, s, F(1) + c), F(1e-15F));
   const F quarter = tan_half / (F(1) + square_root(F(1) + tan_half * tan_half));  // tan(a/4)
   const F t = quarter / (F(1) + square_root(F(1) + quarter * quarter));           // tan(a/8) <= tan(pi/8) = 0.4142
   const F x = t * t;

@@ -34,8 +34,8 @@ Vec3<F> lerp_normal(const std::array<Vec3<F>, 3>& normals, const Weights<F>& w, 
 /// The unit vector q that minimises sum_i w_i angle(q, n_i)^2. The normals are unit; `fallback` where they cancel.
 template <class F>
 Vec3<F> slerp_normal(const std::array<Vec3<F>, 3>& normals, const Weights<F>& w, const Vec3<F>& fallback) {
-  constexpr int kMaxSteps = 16;  // normals within a half sphere converge in fewer
-  constexpr float kConverged = 1e-7F;
+  constexpr int kMaxSteps = 32;        // two or three are usual; normals that lie 120 degrees apart may need all
+  constexpr float kConverged = 3e-7F;  // radians; a smaller step is rounding
   Vec3<F> q = lerp_normal(normals, w, fallback);
   for (int step = 0; step < kMaxSteps; ++step) {
     Vec3<F> tangent{};  // the weighted mean of the normals, unrolled into the tangent plane at q
