@@ -40,6 +40,13 @@ else()
 endif()
 cmake_path(APPEND pc_libdir "\${prefix}" "${CMAKE_INSTALL_LIBDIR}") # an absolute folder stays as it is
 cmake_path(APPEND pc_includedir "\${prefix}" "${CMAKE_INSTALL_INCLUDEDIR}")
+# The prefix is where the file lies, so that an installation may be moved and `cmake --install --prefix` be used.
+if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}")
+  set(pc_prefix ${CMAKE_INSTALL_PREFIX})
+else()
+  file(RELATIVE_PATH pc_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+  string(REGEX REPLACE "/$" "" pc_prefix "\${pcfiledir}/${pc_prefix}")
+endif()
 configure_file(cmake/lustro.pc.in lustro.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/lustro.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
