@@ -1,2 +1,39 @@
-// The command `lustro`.
-int main() { return 0; }
+// The command `lustro`: the table of contents. One line a subcommand; to learn one, open the file named in the margin.
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "app/command_line.hpp"
+#include "app/commands.hpp"
+
+namespace {
+
+using namespace lustro::app;
+
+ExitCode run(std::vector<std::string> arguments) {
+  Session session;
+  CommandLine line = make_command_line(session);
+  for (const auto make : {
+           make_completions,  // commands/completions.cpp  completion scripts for the shells
+           make_man,          // commands/man.cpp          the man page
+       }) {
+    line.commands.push_back(make(line, session));
+  }
+  return run_command_line(line, std::move(arguments));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return static_cast<int>(run(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc)));
+  } catch (const std::bad_alloc&) {
+    say_error("memory ran out");
+    return static_cast<int>(ExitCode::limit);
+  } catch (const std::exception& fault) {
+    say_error(fault.what(), "this is a fault of Lustro: please report it with the command line and its files");
+    return static_cast<int>(ExitCode::internal);
+  }
+}

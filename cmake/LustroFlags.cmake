@@ -6,7 +6,8 @@ function(lustro_flags target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   target_compile_options(${target} PRIVATE -ffp-contract=off -fno-math-errno -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
-                                           -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual -Wdouble-promotion)
+                                           -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual -Wdouble-promotion
+                                           $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>) # GCC 12 sees overlaps in `"-" + string` (its bug 105651)
   if(LUSTRO_WERROR)
     target_compile_options(${target} PRIVATE -Werror)
   endif()

@@ -1,0 +1,99 @@
+// From the CLI11 tree to a document: see manual.hpp.
+#include "manual.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace lustro::app {
+namespace {
+
+OptionDoc option_doc(const CLI::Option& option) {
+  OptionDoc doc;
+  if (option.get_positional()) {
+    doc.names.push_back(option.get_name(true));
+  } else {
+    for (const std::string& name : option.get_snames()) {
+      doc.names.push_back("-" + name);
+    }
+    for (const std::string& name : option.get_lnames()) {
+      doc.names.push_back("--" + name);
+    }
+  }
+  doc.value = option.get_items_expected_max() == 0 ? std::string() : option.get_type_name();
+  doc.description = option.get_description();
+  doc.group = option.get_group();
+  doc.repeatable = option.get_expected_max() > 1;
+  doc.required = option.get_required();
+  return doc;
+}
+
+CommandDoc command_doc(const CLI::App& app, const std::string& name, std::vector<Example> examples) {
+  CommandDoc doc;
+  doc.name = name;
+  doc.summary = app.get_description();
+  doc.examples = std::move(examples);
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_group().empty()) {
+      continue;  // hidden
+    }
+    (option->get_positional() ? doc.positionals : doc.options).push_back(option_doc(*option));
+  }
+  // Global options come last, the help flag last of all.
+  std::stable_partition(doc.options.begin(), doc.options.end(), [](const OptionDoc& o) { return o.group != "Global options"; });
+  std::stable_partition(doc.options.begin(), doc.options.end(), [](const OptionDoc& o) { return o.names.back() != "--help"; });
+  return doc;
+}
+
+}  // namespace
+
+std::vector<std::string> OptionDoc::choices() const {
+  const bool is_list = value.find('|') != std::string::npos && std::none_of(value.begin(), value.end(), [](unsigned char c) {
+                         return std::isupper(c) != 0 || c == ' ' || c == '[' || c == ',';
+                       });
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; is_list && begin <= value.size();) {
+    const std::size_t end = std::min(value.find('|', begin), value.size());
+    words.push_back(value.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
+
+std::string CommandDoc::usage() const {
+  std::string line = name.empty() ? "lustro" : "lustro " + name;
+  line += " [OPTIONS]";
+  for (const OptionDoc& positional : positionals) {
+    const std::string shown = positional.names.front() + (positional.repeatable ? "..." : "");
+    line += positional.required ? " " + shown : " [" + shown + "]";
+  }
+  return line;
+}
+
+std::vector<std::string> CommandDoc::groups() const {
+  std::vector<std::string> names;
+  for (const OptionDoc& option : options) {
+    if (std::find(names.begin(), names.end(), option.group) == names.end()) {
+      names.push_back(option.group);
+    }
+  }
+  return names;
+}
+
+const CommandDoc* Manual::find(const std::string& name) const {
+  const auto found = std::find_if(commands.begin(), commands.end(), [&](const CommandDoc& command) { return command.name == name; });
+  return found == commands.end() ? nullptr : &*found;
+}
+
+Manual make_manual(const CommandLine& line) {
+  Manual manual;
+  manual.root = command_doc(*line.root, "",
+                            {{"lustro bunny.ply", "draws the mesh from a pleasant side into bunny.png, beside it"},
+                             {"lustro render scene.json -o scene.png", "draws a scene file"},
+                             {"lustro primitive:teapot --material jade -o teapot.png", "needs no file at all"}});
+  for (const Command& command : line.commands) {
+    manual.commands.push_back(command_doc(*command.app, command.app->get_name(), command.examples));
+  }
+  return manual;
+}
+
+}  // namespace lustro::app
