@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <CLI/Config.hpp>
 #include <CLI/Error.hpp>
+#include <CLI/Formatter.hpp>
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <optional>
 
@@ -16,17 +19,20 @@
 namespace lustro::app {
 namespace {
 
+constexpr int kMaxThreads = 1024;
+
 void add_global_flags(CLI::App& app, Session& session) {
   const std::string group = "Global options";
-  app.add_option_function<int>(
+  app.add_option_function<std::string>(
          "--threads",
-         [&session](const int& threads) {
-           if (threads < 0 || threads > 1024) {
-             throw CLI::ValidationError("--threads", fmt::format("{} is outside 0..1024", threads));
+         [&session](const std::string& text) {
+           const char* end = text.data() + text.size();
+           const auto [stop, fault] = std::from_chars(text.data(), end, session.threads);
+           if (fault != std::errc() || stop != end || session.threads < 0 || session.threads > kMaxThreads) {
+             throw CLI::ValidationError("--threads", fmt::format("`{}` is not a number in 0..{}", text, kMaxThreads));
            }
-           session.threads = threads;
          },
-         "Threads to draw with, 0..1024; 0 is one a core. The picture does not depend on it (default: 0)")
+         fmt::format("Threads to draw with, 0..{}; 0 is one a core. The picture does not depend on it (default: 0)", kMaxThreads))
       ->type_name("N")
       ->group(group);
   app.add_flag("-q,--quiet", session.quiet, "No warnings, no remarks, no progress bar: errors only")->group(group);
