@@ -32,13 +32,13 @@ struct ImageSettings {
 struct Camera {
   Projection projection = Projection::perspective;
   ViewPreset view = ViewPreset::three_quarter;  ///< used when there is no eye
-  std::optional<Vec3d> eye;
-  std::optional<Vec3d> target;
-  std::optional<Vec3d> up;
-  double fov = 42;               ///< vertical, degrees, perspective
-  std::optional<double> height;  ///< world units, orthographic
-  std::optional<double> near;    ///< distance along the view direction
-  std::optional<double> far;
+  std::optional<Vec3d> eye{};
+  std::optional<Vec3d> target{};
+  std::optional<Vec3d> up{};
+  double fov = 42;                 ///< vertical, degrees, perspective
+  std::optional<double> height{};  ///< world units, orthographic
+  std::optional<double> near{};    ///< distance along the view direction
+  std::optional<double> far{};
 };
 
 /// The key `shading`.
@@ -47,9 +47,9 @@ struct Shading {
   Interpolation interpolation = Interpolation::phong;
   NormalInterpolation normals = NormalInterpolation::lerp;
   VertexNormals vertex_normals = VertexNormals::angle;
-  std::optional<double> crease;  ///< degrees, 0..180; 180 when not stated, 40 for STL
+  std::optional<double> crease{};  ///< degrees, 0..180; 180 when not stated, 40 for STL
   bool recompute_normals = false;
-  TermSet terms;
+  TermSet terms{};
   bool two_sided = false;
   bool normalized = false;  ///< energy-normalised specular lobes, times N.L
 };
@@ -57,23 +57,23 @@ struct Shading {
 /// The key `attenuation` of a light.
 struct Attenuation {
   double constant = 1, linear = 0, quadratic = 0;  ///< f = 1 / (c + l d + q d^2)
-  std::optional<double> falloff;                   ///< if stated: f = 1 / d^falloff
+  std::optional<double> falloff{};                 ///< if stated: f = 1 / d^falloff
   bool unclamped = false;                          ///< without it f is limited to 1
 };
 
 /// One entry of `lights`.
 struct Light {
   LightType type = LightType::directional;
-  std::string name;
+  std::string name{};
   Vec3d position{0, 0, 0};    ///< world; point and spot
   Vec3d direction{0, 0, -1};  ///< the way that the light travels, world, of any length but 0; directional and spot
   Color ambient{{0, 0, 0}};
   Color diffuse{{1, 1, 1}};
   Color specular{{1, 1, 1}};
-  Attenuation attenuation;
-  double cutoff = 45;          ///< half angle, degrees, 0..90
-  std::optional<double> beam;  ///< half angle, degrees, smaller than cutoff
-  double exponent = 0;         ///< 0..10000
+  Attenuation attenuation{};
+  double cutoff = 45;            ///< half angle, degrees, 0..90
+  std::optional<double> beam{};  ///< half angle, degrees, smaller than cutoff
+  double exponent = 0;           ///< 0..10000
 };
 
 /// The key `fog`, on the Euclidean distance from the eye to the point.
@@ -87,21 +87,21 @@ struct Fog {
 
 /// One entry of `objects`.
 struct Object {
-  std::string name;
-  std::string source;                ///< the key `mesh`: a file, or `primitive:NAME`; only for messages once `mesh` is there
-  std::shared_ptr<const Mesh> mesh;  ///< filled by load_scene(), or by hand
-  std::optional<Material> material;  ///< overrides the mesh's own
-  Mat4 matrix;                       ///< world_from_object
+  std::string name{};
+  std::string source{};                ///< the key `mesh`: a file, or `primitive:NAME`; only for messages once `mesh` is there
+  std::shared_ptr<const Mesh> mesh{};  ///< filled by load_scene(), or by hand
+  std::optional<Material> material{};  ///< overrides the mesh's own
+  Mat4 matrix{};                       ///< world_from_object
 };
 
 struct Scene {
-  ImageSettings image;
-  Camera camera;
-  Shading shading;
-  Color ambient{{0.2F, 0.2F, 0.2F}};         ///< I_a
-  std::optional<std::vector<Light>> lights;  ///< nothing: a default rig that moves with the camera; empty: no light
-  std::optional<Fog> fog;
-  std::vector<Object> objects;
+  ImageSettings image{};
+  Camera camera{};
+  Shading shading{};
+  Color ambient{{0.2F, 0.2F, 0.2F}};           ///< I_a
+  std::optional<std::vector<Light>> lights{};  ///< nothing: a default rig that moves with the camera; empty: no light
+  std::optional<Fog> fog{};
+  std::vector<Object> objects{};
 };
 
 /// A loaded scene and what was noticed on the way.
@@ -126,7 +126,8 @@ struct LoadOptions {
 /// A scene file or a bare mesh file, by content. A bare mesh is the scene with that one object, lit on both sides.
 [[nodiscard]] Result<LoadedScene> load_scene(const std::filesystem::path& file, const LoadOptions& options = {});
 
-/// A mesh file as it states itself (OBJ, PLY, STL): by content first, then by extension. The MTL files that an OBJ names are read from its folder.
+/// A mesh file as it states itself (OBJ, PLY, STL): by content first, then by extension. The MTL files that an OBJ names are read from its
+/// folder.
 [[nodiscard]] Result<SourceMesh> load_mesh_file(const std::filesystem::path& file, const LoadOptions& options = {});
 
 /// The scene as JSON text that parse_scene() reads back to the same scene. Stated are the keys that differ from their defaults.

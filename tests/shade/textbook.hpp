@@ -1,0 +1,120 @@
+// The lighting equation as a textbook prints it: double precision, libm, no thought of speed. It is written from docs/using/scene-file.md and
+// shares nothing with src/shade, so that agreement means something.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "lustro/scene.hpp"
+#include "shade/lighting.hpp"
+
+namespace lustro::textbook {
+
+inline constexpr double kPi = 3.14159265358979323846;
+
+inline double cosine_of(double degrees) {
+  return std::cos(degrees * kPi / 180);
+}
+
+/// x^n with x^0 = 1.
+inline double raise(double x, double n) {
+  return n == 0 ? 1 : std::pow(std::max(x, 0.0), n);
+}
+
+/// f
+inline double attenuation(const Light& light, double d) {
+  if (light.type == LightType::directional) {
+    return 1;
+  }
+  const Attenuation& a = light.attenuation;
+  const double f = a.falloff ? 1 / std::pow(d, *a.falloff) : 1 / (a.constant + a.linear * d + a.quadratic * d * d);
+  return a.unclamped ? f : std::min(f, 1.0);
+}
+
+/// s, for a point towards which the light's ray makes an angle of cosine cs with the axis of the spot.
+inline double spot(const Light& light, double cs) {
+  if (light.type != LightType::spot) {
+    return 1;
+  }
+  if (cs < cosine_of(light.cutoff)) {
+    return 0;
+  }
+  double s = raise(cs, light.exponent);
+  if (light.beam) {
+    const double t = std::clamp((cs - cosine_of(light.cutoff)) / (cosine_of(*light.beam) - cosine_of(light.cutoff)), 0.0, 1.0);
+    s *= t * t * (3 - 2 * t);
+  }
+  return s;
+}
+
+/// A point, its normal and the way to the eye; the eye is the origin.
+struct Point {
+  Vec3d position, normal, to_eye;
+};
+
+/// What makes the lobe's albedo 1 at normal incidence (Lafortune and Willems 1994; its analogue for N.H), in units where white is 1.
+inline double normalization(Lighting model, double n) {
+  return model == Lighting::phong ? (n + 2) / 2 : (n + 2) * (n + 4) / (8 * (std::pow(2, -n / 2) + n));
+}
+
+struct Result {
+  Vec3d ambient, diffuse, specular, emission;
+};
+
+/// I = k_e + k_a I_a + sum_i f_i s_i [ k_a l_a + k_d l_d max(N.L, 0) + k_s l_s spec ], term by term.
+inline Result light(Lighting model, const Point& p, const Coefficients<double>& k, const Vec3d& scene_ambient, const std::vector<Light>& lights,
+                    bool normalized) {
+  if (model == Lighting::constant) {
+    return {{}, k.diffuse, {}, {}};
+  }
+  Result result{k.ambient * scene_ambient, {}, {}, k.emission};
+  for (const Light& light : lights) {
+    const Vec3d travel = normalize(light.direction);
+    const Vec3d offset = light.position - p.position;
+    const Vec3d l = light.type == LightType::directional ? -travel : normalize(offset);
+    const double fs = attenuation(light, length(offset)) * spot(light, -dot(travel, l));
+    const double n_dot_l = dot(p.normal, l);
+    const Vec3d r = 2 * n_dot_l * p.normal - l;
+    const Vec3d h = normalize(l + p.to_eye);
+    double spec = 0;
+    if (model != Lighting::lambert && n_dot_l > 0) {
+      spec = raise(model == Lighting::phong ? dot(r, p.to_eye) : dot(p.normal, h), k.shininess);
+      spec *= normalized ? normalization(model, k.shininess) * n_dot_l : 1;
+    }
+    result.ambient += k.ambient * vec_cast<double>(light.ambient.rgb) * fs;
+    result.diffuse += k.diffuse * vec_cast<double>(light.diffuse.rgb) * (fs * std::max(n_dot_l, 0.0));
+    result.specular += k.specular * vec_cast<double>(light.specular.rgb) * (fs * spec);
+  }
+  return result;
+}
+
+/// The light as the equation's code wants it, by the docstrings of ShadingLight; the eye is the origin.
+inline ShadingLight ready(const Light& light) {
+  ShadingLight out;
+  out.type = light.type;
+  out.position = vec_cast<float>(light.position);
+  out.travel = vec_cast<float>(normalize(light.direction));
+  out.ambient = light.ambient.rgb;
+  out.diffuse = light.diffuse.rgb;
+  out.specular = light.specular.rgb;
+  const Attenuation& a = light.attenuation;
+  const double p = a.falloff.value_or(0);
+  out.attenuation = vec_cast<float>(Vec3d{a.constant, a.linear, a.quadratic});
+  if (a.falloff && (p == 0 || p == 1 || p == 2)) {
+    out.attenuation = {p == 0 ? 1.0F : 0.0F, p == 1 ? 1.0F : 0.0F, p == 2 ? 1.0F : 0.0F};
+  } else if (a.falloff) {
+    out.falloff = static_cast<float>(p);
+  }
+  out.attenuation_limit = a.unclamped ? 3e38F : 1.0F;
+  out.cos_cutoff = static_cast<float>(light.cutoff == 90 ? 0 : cosine_of(light.cutoff));
+  if (light.beam) {
+    out.cos_beam = static_cast<float>(cosine_of(*light.beam));
+    out.beam_scale = static_cast<float>(1 / (cosine_of(*light.beam) - cosine_of(light.cutoff)));
+  }
+  out.exponent = static_cast<float>(light.exponent);
+  return out;
+}
+
+}  // namespace lustro::textbook
