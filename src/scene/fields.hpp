@@ -1,0 +1,169 @@
+// THE table of options. Each key of the scene file stands here once: its name, its flag of the command, its kind, range, default, help and the
+// member that holds it. Reading and writing JSON, the JSON Schema, the documentation's table of keys, the command's flags, its man page and
+// completions are all made from it.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "lustro/scene.hpp"
+#include "scene/words.hpp"
+
+namespace lustro {
+
+/// The largest magnitude of a number in a scene: every number must be finite as a float, too.
+inline constexpr double kLargestNumber = std::numeric_limits<float>::max();
+
+/// What a key's value looks like in JSON.
+enum class ValueKind : std::uint8_t {
+  boolean,
+  integer,
+  number,
+  vector,       ///< [x, y, z]
+  matrix,       ///< 16 numbers, row-major
+  color,        ///< [r, g, b] linear, "#rrggbb" encoded
+  color_alpha,  ///< a colour, with an optional fourth number
+  word,         ///< one of an enum's words
+  terms,        ///< a list of words
+  text,
+  table,      ///< an object with keys of its own: image, camera, shading, attenuation, fog
+  lights,     ///< a list of lights
+  objects,    ///< a list of objects
+  material,   ///< the name of a material or a table of its coefficients
+  materials,  ///< names and their materials
+};
+
+/// The numbers that a key takes; each number of a vector, matrix or colour.
+struct Range {
+  double lower = -kLargestNumber;
+  double upper = kLargestNumber;
+  bool lower_open = false;  ///< the end itself is outside
+  bool upper_open = false;
+  std::span<const int> allowed{};  ///< if not empty: only these
+
+  [[nodiscard]] bool contains(double value) const;
+};
+
+/// `0..90`, `more than 0`, `0 or more`, `more than 0 and less than 180`, `1, 2, 4, 8 or 16`; empty where every finite number is good.
+[[nodiscard]] std::string range_text(const Range& range);
+
+/// `120 is outside 0..90`
+[[nodiscard]] std::string outside_message(const Range& range, double value);
+
+/// A colour and the alpha that its fourth number states.
+template <class T>
+struct ColorAlpha {
+  Color T::*color;
+  float T::*alpha;
+};
+
+/// Where a struct keeps the value. monostate: the file has the key, the struct does not (`materials`).
+template <class T>
+using Member =
+    std::variant<bool T::*, int T::*, float T::*, double T::*, std::optional<double> T::*, Vec3d T::*, std::optional<Vec3d> T::*, Mat4 T::*,
+                 Color T::*, ColorAlpha<T>, std::string T::*, TermSet T::*, Transfer T::*, Projection T::*, ViewPreset T::*, Lighting T::*,
+                 std::optional<Lighting> T::*, Interpolation T::*, NormalInterpolation T::*, VertexNormals T::*, LightType T::*, FogMode T::*,
+                 ImageSettings T::*, Camera T::*, Shading T::*, Attenuation T::*, std::optional<Fog> T::*,
+                 std::optional<std::vector<Light>> T::*, std::vector<Object> T::*, std::optional<Material> T::*, std::monostate>;
+
+/// One key of the struct T.
+template <class T>
+struct Field {
+  std::string_view key;   ///< as in the scene file
+  std::string_view flag;  ///< of the command, `--samples`; empty where there is none
+  Member<T> member;
+  std::string_view help;       ///< one sentence without its full stop
+  std::string_view unit = {};  ///< `degrees`, `pixels`, ...
+  Range range = {};
+  std::string_view absent = {};  ///< what holds where the key is not stated, if the struct's default does not say it
+};
+
+/// The keys of T in the order of the documentation: ImageSettings, Camera, Shading, Light, Attenuation, Fog, Material, Object, Scene.
+template <class T>
+[[nodiscard]] std::span<const Field<T>> fields();
+
+/// A colour together with the alpha of its fourth number.
+struct ColorAlphaRef {
+  Color& color;
+  float& alpha;
+};
+
+/// Calls f with a reference to the value: `Transfer&`, `double&`, ..., ColorAlphaRef, or std::monostate.
+template <class T, class F>
+decltype(auto) visit_value(T& object, const Field<T>& field, F&& f) {
+  return std::visit(
+      [&](const auto& member) -> decltype(auto) {
+        using M = std::remove_cvref_t<decltype(member)>;
+        if constexpr (std::is_same_v<M, std::monostate>) {
+          return f(std::monostate{});
+        } else if constexpr (std::is_same_v<M, ColorAlpha<T>>) {
+          return f(ColorAlphaRef{object.*member.color, object.*member.alpha});
+        } else {
+          return f(object.*member);
+        }
+      },
+      field.member);
+}
+
+template <class T>
+[[nodiscard]] ValueKind kind_of(const Field<T>& field);
+
+/// Whether "not stated" is a value of its own (std::optional).
+template <class T>
+[[nodiscard]] bool is_optional(const Field<T>& field);
+
+/// The words that the value may be; empty where it is no word and no list of words.
+template <class T>
+[[nodiscard]] std::span<const Word> words_of_field(const Field<T>& field);
+
+/// The value as set_from_text() reads it; `none` where nothing is stated.
+template <class T>
+[[nodiscard]] std::string value_text(const T& object, const Field<T>& field);
+
+/// What holds where the key is not stated: Field::absent, or the struct's default as text.
+template <class T>
+[[nodiscard]] std::string default_text(const Field<T>& field);
+
+/// Sets the member from a command line's text: `true`, `4`, `0.1`, `1,2,3`, `#ff8800`, `blinn-phong`, `ambient,diffuse`. A switch without text
+/// is true.
+///
+/// errors  usage, with what was found and expected; `where` is the flag (or the key). The object is unchanged then
+template <class T>
+[[nodiscard]] Result<void> set_from_text(T& object, const Field<T>& field, std::string_view text);
+
+/// A field without its struct, for help, man page, completions and documentation.
+struct FieldInfo {
+  std::string_view key;
+  std::string_view flag;
+  std::string_view help;
+  std::string_view unit;
+  ValueKind kind = ValueKind::text;
+  bool optional = false;
+  Range range;
+  std::string default_text;
+  std::span<const Word> words;
+};
+
+/// The keys of one table of the scene file.
+struct FieldGroup {
+  std::string_view path;  ///< `image`, `lights[]`, ...; empty for the scene's own keys
+  std::string_view help;  ///< one sentence without its full stop
+  std::vector<FieldInfo> fields;
+};
+
+/// All keys of the scene file, group by group.
+[[nodiscard]] std::vector<FieldGroup> field_groups();
+
+/// Sets what a flag of the command names (`--samples`, `--light`, ...), wherever it belongs. `--light` appends a light (the first one replaces
+/// nothing but the default rig) and `none` removes all; `--material` gives every object that material; `--fog none` removes the fog. errors
+/// usage, `where` is the flag. The scene is unchanged then
+[[nodiscard]] Result<void> set_scene_flag(Scene& scene, std::string_view flag, std::string_view text);
+
+}  // namespace lustro

@@ -1,0 +1,55 @@
+// The keys of `image` and `camera`.
+#include <array>
+
+#include "scene/fields.hpp"
+
+namespace lustro {
+namespace {
+
+constexpr std::array kSampleCounts{1, 2, 4, 8, 16};
+
+constexpr Range kPixels{.lower = 1, .upper = 16384};
+constexpr Range kSamples{.lower = 1, .upper = 16, .allowed = kSampleCounts};
+constexpr Range kColor{.lower = 0};
+constexpr Range kFov{.lower = 0, .upper = 180, .lower_open = true, .upper_open = true};
+constexpr Range kPositive{.lower = 0, .lower_open = true};
+constexpr Range kNotNegative{.lower = 0};
+
+constexpr std::array kImageFields{
+    Field<ImageSettings>{"width", "--width", &ImageSettings::width, "width of the picture", "pixels", kPixels},
+    Field<ImageSettings>{"height", "--height", &ImageSettings::height, "height of the picture", "pixels", kPixels},
+    Field<ImageSettings>{"samples", "--samples", &ImageSettings::samples, "coverage samples a pixel, against jagged edges", "", kSamples},
+    Field<ImageSettings>{"transfer", "--transfer", &ImageSettings::transfer, "what is stored for a light value"},
+    Field<ImageSettings>{"background", "--background", ColorAlpha<ImageSettings>{&ImageSettings::background, &ImageSettings::background_alpha},
+                         "colour where nothing is drawn; a fourth number is its alpha", "", kColor},
+    Field<ImageSettings>{"transparent", "--transparent", &ImageSettings::transparent, "the background has alpha 0"},
+};
+
+constexpr std::array kCameraFields{
+    Field<Camera>{"projection", "--projection", &Camera::projection, "how space becomes a plane"},
+    Field<Camera>{"view", "--view", &Camera::view, "where the camera stands when no eye is stated; it frames the whole scene"},
+    Field<Camera>{"eye", "--eye", &Camera::eye, "where the camera stands", "world units", {}, "chosen by `view`"},
+    Field<Camera>{"target", "--target", &Camera::target, "what the camera looks at", "world units", {}, "the centre of the scene"},
+    Field<Camera>{"up", "--up", &Camera::up, "the direction that points up on the image", "", {}, "0,1,0, or what suits the view"},
+    Field<Camera>{"fov", "--fov", &Camera::fov, "vertical angle of view of a perspective camera", "degrees", kFov},
+    Field<Camera>{"height", "--view-height", &Camera::height, "what an orthographic camera sees from bottom to top", "world units", kPositive,
+                  "frames the whole scene"},
+    Field<Camera>{"near", "--near", &Camera::near, "nothing nearer than this is drawn, along the view direction", "world units", kNotNegative,
+                  "just before the scene"},
+    Field<Camera>{"far", "--far", &Camera::far, "nothing farther than this is drawn, along the view direction", "world units", kPositive,
+                  "just behind the scene"},
+};
+
+}  // namespace
+
+template <>
+std::span<const Field<ImageSettings>> fields<ImageSettings>() {
+  return kImageFields;
+}
+
+template <>
+std::span<const Field<Camera>> fields<Camera>() {
+  return kCameraFields;
+}
+
+}  // namespace lustro

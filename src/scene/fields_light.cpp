@@ -1,0 +1,63 @@
+// The keys of a light, of its `attenuation`, and of `fog`.
+#include <array>
+
+#include "scene/fields.hpp"
+
+namespace lustro {
+namespace {
+
+constexpr Range kColor{.lower = 0};
+constexpr Range kNotNegative{.lower = 0};
+constexpr Range kHalfAngle{.lower = 0, .upper = 90};
+constexpr Range kExponent{.lower = 0, .upper = 10000};
+
+constexpr std::array kLightFields{
+    Field<Light>{"type", "", &Light::type, "what kind of light it is"},
+    Field<Light>{"name", "", &Light::name, "what messages, layers and `explain` call it"},
+    Field<Light>{"position", "", &Light::position, "where a point or spot light stands", "world units"},
+    Field<Light>{"direction", "", &Light::direction, "the way that the light travels (directional, spot), of any length but 0"},
+    Field<Light>{"ambient", "", &Light::ambient, "its ambient colour l_a", "", kColor},
+    Field<Light>{"diffuse", "", &Light::diffuse, "its diffuse colour l_d", "", kColor},
+    Field<Light>{"specular", "", &Light::specular, "its specular colour l_s", "", kColor},
+    Field<Light>{"attenuation", "", &Light::attenuation, "how a point or spot light fades with the distance", "", {}, "none"},
+    Field<Light>{"cutoff", "", &Light::cutoff, "half angle of a spot light's cone", "degrees", kHalfAngle},
+    Field<Light>{"beam", "", &Light::beam, "half angle inside which a spot light is at its full; it fades from there to the cutoff", "degrees",
+                 kHalfAngle, "a hard edge at the cutoff"},
+    Field<Light>{"exponent", "", &Light::exponent, "a spot light falls off with the cosine from its axis to this power", "", kExponent},
+};
+
+constexpr std::array kAttenuationFields{
+    Field<Attenuation>{"constant", "", &Attenuation::constant, "c in f = 1 / (c + l d + q d^2)", "", kNotNegative},
+    Field<Attenuation>{"linear", "", &Attenuation::linear, "l in f = 1 / (c + l d + q d^2)", "", kNotNegative},
+    Field<Attenuation>{"quadratic", "", &Attenuation::quadratic, "q in f = 1 / (c + l d + q d^2)", "", kNotNegative},
+    Field<Attenuation>{"falloff", "", &Attenuation::falloff, "p in f = 1 / d^p, in place of the three others", "", kNotNegative,
+                       "the three others"},
+    Field<Attenuation>{"unclamped", "", &Attenuation::unclamped, "without it f is limited to 1"},
+};
+
+constexpr std::array kFogFields{
+    Field<Fog>{"mode", "", &Fog::mode, "how the share f of the surface's own colour falls with the distance d from the eye"},
+    Field<Fog>{"density", "", &Fog::density, "of exp and exp2", "1 / world units", kNotNegative},
+    Field<Fog>{"start", "", &Fog::start, "of linear: no fog nearer than this", "world units"},
+    Field<Fog>{"end", "", &Fog::end, "of linear: nothing but fog farther than this", "world units"},
+    Field<Fog>{"color", "", &Fog::color, "what everything fades to", "", kColor},
+};
+
+}  // namespace
+
+template <>
+std::span<const Field<Light>> fields<Light>() {
+  return kLightFields;
+}
+
+template <>
+std::span<const Field<Attenuation>> fields<Attenuation>() {
+  return kAttenuationFields;
+}
+
+template <>
+std::span<const Field<Fog>> fields<Fog>() {
+  return kFogFields;
+}
+
+}  // namespace lustro

@@ -1,0 +1,104 @@
+// The scene's own keys, and those of `shading`, of a material and of an object.
+#include <array>
+
+#include "scene/fields.hpp"
+
+namespace lustro {
+namespace {
+
+constexpr Range kColor{.lower = 0};
+constexpr Range kCrease{.lower = 0, .upper = 180};
+constexpr Range kExponent{.lower = 0, .upper = 10000};
+constexpr Range kUnit{.lower = 0, .upper = 1};
+
+constexpr std::array kSceneFields{
+    Field<Scene>{"image", "", &Scene::image, "the picture's size and how it is stored"},
+    Field<Scene>{"camera", "", &Scene::camera, "from where the scene is seen", "", {}, "frames the whole scene"},
+    Field<Scene>{"shading", "", &Scene::shading, "how surfaces are lit"},
+    Field<Scene>{"ambient", "--ambient", &Scene::ambient, "the scene's ambient light I_a", "", kColor},
+    Field<Scene>{"lights",
+                 "--light",
+                 &Scene::lights,
+                 "the lights, in any number; an empty list is no light",
+                 "",
+                 {},
+                 "a default rig that moves with the camera"},
+    Field<Scene>{"fog", "--fog", &Scene::fog, "what distance does to colours", "", {}, "no fog"},
+    Field<Scene>{"materials",
+                 "",
+                 std::monostate{},
+                 "materials by name, for the objects: a library material's name or a table of coefficients",
+                 "",
+                 {},
+                 "none"},
+    Field<Scene>{"objects", "", &Scene::objects, "what is drawn; the only key that must be there", "", {}, "must be stated"},
+};
+
+constexpr std::array kShadingFields{
+    Field<Shading>{"lighting", "--lighting", &Shading::lighting, "how a point is lit"},
+    Field<Shading>{"interpolation", "--interpolation", &Shading::interpolation, "where the lighting is evaluated"},
+    Field<Shading>{"normals", "--normals", &Shading::normals, "how interpolation phong interpolates the normal"},
+    Field<Shading>{"vertex_normals", "--vertex-normals", &Shading::vertex_normals,
+                   "how missing vertex normals are made from the faces' normals"},
+    Field<Shading>{"crease", "--crease", &Shading::crease, "faces that meet at more than this do not share a normal", "degrees", kCrease,
+                   "180 (all smooth); 40 for STL"},
+    Field<Shading>{"recompute_normals", "--recompute-normals", &Shading::recompute_normals,
+                   "makes new vertex normals even where the file has some"},
+    Field<Shading>{"terms", "--terms", &Shading::terms, "the parts of the lighting sum that are kept"},
+    Field<Shading>{"two_sided",
+                   "--two-sided",
+                   &Shading::two_sided,
+                   "lights the back of a face with its normals turned round",
+                   "",
+                   {},
+                   "false; true for a bare mesh"},
+    Field<Shading>{"normalized", "--normalized", &Shading::normalized, "energy-normalised highlights, times N.L"},
+};
+
+constexpr std::array kMaterialFields{
+    Field<Material>{"name", "", &Material::name, "what layers and `explain` call it", "", {}, "its key in `materials`"},
+    Field<Material>{"ambient", "", &Material::ambient, "k_a", "", kColor},
+    Field<Material>{"diffuse", "", &Material::diffuse, "k_d", "", kColor},
+    Field<Material>{"specular", "", &Material::specular, "k_s", "", kColor},
+    Field<Material>{"emission", "", &Material::emission, "k_e", "", kColor},
+    Field<Material>{"shininess", "", &Material::shininess, "the exponent n of the highlight", "", kExponent},
+    Field<Material>{"opacity", "", &Material::opacity, "kept; surfaces are drawn opaque", "", kUnit},
+    Field<Material>{"lighting", "", &Material::lighting, "this material's own way of being lit", "", {}, "that of `shading`"},
+};
+
+constexpr std::array kObjectFields{
+    Field<Object>{"mesh", "", &Object::source, "a mesh file, relative to the scene file, or `primitive:NAME`", "", {}, "must be stated"},
+    Field<Object>{"name", "", &Object::name, "what messages, layers and `explain` call it", "", {}, "the mesh"},
+    Field<Object>{"material",
+                  "--material",
+                  &Object::material,
+                  "a name of `materials`, a library material, or a table of coefficients",
+                  "",
+                  {},
+                  "the mesh's own"},
+    Field<Object>{"matrix", "", &Object::matrix, "world from object: 16 numbers, row-major, for column vectors"},
+};
+
+}  // namespace
+
+template <>
+std::span<const Field<Scene>> fields<Scene>() {
+  return kSceneFields;
+}
+
+template <>
+std::span<const Field<Shading>> fields<Shading>() {
+  return kShadingFields;
+}
+
+template <>
+std::span<const Field<Material>> fields<Material>() {
+  return kMaterialFields;
+}
+
+template <>
+std::span<const Field<Object>> fields<Object>() {
+  return kObjectFields;
+}
+
+}  // namespace lustro
