@@ -1,0 +1,224 @@
+// Ear cutting with predicates in double: float coordinates seen along a main axis are compared without any rounding, in other directions with
+// an error far below the rounding of the coordinates themselves.
+#include "mesh/triangulate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "math/trig.hpp"
+#include "mesh/polygon.hpp"
+
+namespace lustro {
+namespace {
+
+/// Tests of a corner against an ear that a polygon may cost, a corner. Enough for honest outlines of a hundred thousand corners; a knot of
+/// crossing edges would else take cubic time.
+constexpr std::size_t kTestsPerCorner = 4000;
+
+}  // namespace
+
+void Triangulator::project(std::span<const Vec3f> polygon) {
+  const PolygonPlane plane = plane_of(polygon.size(), [&](std::size_t i) { return polygon[i]; });
+  const Vec3d& n = plane.normal;
+  rounding_ = plane.rounding;
+  // Axes u, v with u x v = n, without a branch on a near-zero component (Duff et al. 2017); along a main axis they are main axes, exactly.
+  const double sign = n.z < 0 ? -1.0 : 1.0;
+  const double a = -1.0 / (sign + n.z);
+  const double b = n.x * n.y * a;
+  const Vec3d u{1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x};
+  const Vec3d v{b, sign + n.y * n.y * a, -n.y};
+  const Vec3d origin = vec_cast<double>(polygon[0]);
+  points_.resize(polygon.size());
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3d p = vec_cast<double>(polygon[i]) - origin;
+    points_[i] = {dot(p, u), dot(p, v)};
+  }
+}
+
+/// Twice the signed area of a, b, c.
+double Triangulator::cross_at(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+  const Point &p = points_[a], &q = points_[b], &r = points_[c];
+  return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+}
+
+Triangulator::Turn Triangulator::turn_at(std::uint32_t corner) const {
+  const Point &a = points_[previous_[corner]], &b = points_[corner], &c = points_[next_[corner]];
+  const double reach = std::max({std::abs(b.x - a.x), std::abs(b.y - a.y), std::abs(c.x - b.x), std::abs(c.y - b.y)});
+  const double turn = cross_at(previous_[corner], corner, next_[corner]);
+  if (std::abs(turn) <= rounding_ * reach) {
+    return Turn::straight;
+  }
+  return turn > 0 ? Turn::left : Turn::right;
+}
+
+/// Convex, and no triangle of the fan from corner 0 without area.
+bool Triangulator::is_fan() const {
+  const auto size = static_cast<std::uint32_t>(points_.size());
+  if (turn_[1] != Turn::left || turn_[size - 1] != Turn::left || std::find(turn_.begin(), turn_.end(), Turn::right) != turn_.end()) {
+    return false;
+  }
+  for (std::uint32_t i = 1; i + 1 < size; ++i) {
+    if (cross_at(0, i, i + 1) <= 0) {
+      return false;
+    }
+  }
+  if (size == 4) {
+    return true;  // four left turns cannot make two rounds
+  }
+  double turned = 0;
+  for (std::uint32_t i = 0; i < size; ++i) {
+    const Point &a = points_[previous_[i]], &b = points_[i], &c = points_[next_[i]];
+    turned += arctangent2(cross_at(previous_[i], i, next_[i]), (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y));
+  }
+  return turned < 3 * kPi;
+}
+
+/// Whether the triangle at the corner has no other corner inside it or within `slack` of its third side. Corners in the very place of one of
+/// its own do not count: the outline passes there without entering.
+bool Triangulator::is_ear(std::uint32_t corner, double slack) {
+  const std::uint32_t before = previous_[corner];
+  const std::uint32_t after = next_[corner];
+  const Point a = points_[before], b = points_[corner], c = points_[after];
+  const double lower_x = std::min({a.x, b.x, c.x}) - slack, upper_x = std::max({a.x, b.x, c.x}) + slack;
+  const double lower_y = std::min({a.y, b.y, c.y}) - slack, upper_y = std::max({a.y, b.y, c.y}) + slack;
+  const double side_slack = slack * std::max(std::abs(c.x - a.x), std::abs(c.y - a.y));
+  const auto in_place_of = [](const Point& p, const Point& q) { return p.x == q.x && p.y == q.y; };
+  auto place = std::lower_bound(by_x_.begin(), by_x_.end(), lower_x, [&](std::uint32_t i, double x) { return points_[i].x < x; });
+  for (; place != by_x_.end(); ++place) {
+    const std::uint32_t i = *place;
+    const Point p = points_[i];
+    if (p.x > upper_x || tests_left_ == 0) {
+      break;
+    }
+    --tests_left_;
+    if (p.y < lower_y || p.y > upper_y || next_[i] == i || turn_[i] == Turn::left || in_place_of(p, a) || in_place_of(p, b) ||
+        in_place_of(p, c)) {
+      continue;
+    }
+    if (cross_at(before, corner, i) >= 0 && cross_at(corner, after, i) >= 0 && cross_at(after, before, i) >= -side_slack) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool Triangulator::cut_ears(std::vector<std::array<std::uint32_t, 3>>& out) {
+  const auto size = static_cast<std::uint32_t>(points_.size());
+  by_x_.clear();
+  for (std::uint32_t i = 0; i < size; ++i) {
+    if (turn_[i] != Turn::left) {
+      by_x_.push_back(i);
+    }
+  }
+  std::sort(by_x_.begin(), by_x_.end(),
+            [&](std::uint32_t i, std::uint32_t j) { return points_[i].x < points_[j].x || (points_[i].x == points_[j].x && i < j); });
+  tests_left_ = kTestsPerCorner * size;
+
+  // What a corner must be to be cut off next. A round without a cut lets the next, weaker claim in; a cut goes back to the first.
+  enum Claim : std::uint8_t { ear, ear_touching, straight, left, any };
+  int claim = ear;
+  bool clean = true;
+  std::uint32_t corner = 1;
+  std::uint32_t remaining = size;
+  std::uint32_t tried = 0;
+  while (remaining > 3) {
+    bool cut = tests_left_ == 0;
+    switch (claim) {
+      case ear:
+        cut |= turn_[corner] == Turn::left && is_ear(corner, rounding_);
+        break;
+      case ear_touching:
+        cut |= turn_[corner] == Turn::left && is_ear(corner, 0);
+        break;
+      case straight:
+        cut |= turn_[corner] == Turn::straight;
+        break;
+      case left:
+        cut |= turn_[corner] == Turn::left;
+        break;
+      default:
+        cut = true;
+    }
+    const std::uint32_t before = previous_[corner];
+    const std::uint32_t after = next_[corner];
+    if (cut) {
+      clean = clean && claim <= straight && tests_left_ > 0;
+      out.push_back({before, corner, after});
+      next_[before] = after;
+      previous_[after] = before;
+      next_[corner] = corner;  // no longer part of the outline
+      turn_[before] = turn_at(before);
+      turn_[after] = turn_at(after);
+      --remaining;
+      claim = ear;
+      tried = 0;
+      corner = next_[after];  // not the neighbour at once: a fan of needles around one corner would be the rule
+    } else {
+      tests_left_ -= std::min<std::size_t>(tests_left_, 1);
+      corner = after;
+      if (++tried == remaining) {
+        tried = 0;
+        ++claim;
+      }
+    }
+  }
+  out.push_back({previous_[corner], corner, next_[corner]});
+  return clean && turn_[corner] != Turn::right;
+}
+
+bool Triangulator::cut(std::span<const Vec3f> polygon, std::vector<std::array<std::uint32_t, 3>>& out) {
+  const auto size = static_cast<std::uint32_t>(polygon.size());
+  if (size == 3) {
+    out.push_back({0, 1, 2});
+    return true;
+  }
+  project(polygon);
+  next_.resize(size);
+  previous_.resize(size);
+  turn_.resize(size);
+  for (std::uint32_t i = 0; i < size; ++i) {
+    next_[i] = i + 1 < size ? i + 1 : 0;
+    previous_[i] = i > 0 ? i - 1 : size - 1;
+  }
+  for (std::uint32_t i = 0; i < size; ++i) {
+    turn_[i] = turn_at(i);
+  }
+  if (!is_fan()) {
+    return cut_ears(out);
+  }
+  for (std::uint32_t i = 1; i + 1 < size; ++i) {
+    out.push_back({0, i, i + 1});
+  }
+  return true;
+}
+
+Triangles triangulate(const SourceMesh& mesh) {
+  Triangles triangles;
+  const std::size_t count = mesh.stated_triangle_count();
+  triangles.corners.reserve(count);
+  triangles.face.reserve(count);
+  Triangulator triangulator;
+  std::vector<Vec3f> polygon;
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    const std::uint32_t begin = mesh.face_begin[f];
+    const std::uint32_t end = mesh.face_begin[f + 1];
+    polygon.clear();
+    for (std::uint32_t c = begin; c < end; ++c) {
+      polygon.push_back(mesh.positions[mesh.corner_position[c]]);
+    }
+    const std::size_t first = triangles.corners.size();
+    if (!triangulator.cut(polygon, triangles.corners)) {
+      ++triangles.crossing_polygons;
+    }
+    for (std::size_t t = first; t < triangles.corners.size(); ++t) {
+      for (std::uint32_t& corner : triangles.corners[t]) {
+        corner += begin;
+      }
+      triangles.face.push_back(f);
+    }
+  }
+  return triangles;
+}
+
+}  // namespace lustro

@@ -1,0 +1,264 @@
+// Checks first, without touching anything; then one pass that repairs the values, and one that keeps the faces worth keeping.
+#include "mesh/validate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mesh/weld.hpp"
+
+namespace lustro {
+namespace {
+
+constexpr std::uint32_t kNone = SourceMesh::kNone;
+
+tl::unexpected<Error> malformed(std::string message) {
+  return fail(ErrorKind::malformed, {}, std::move(message));
+}
+
+/// A stream with one entry per `of` is there or empty.
+Result<void> check_length(std::size_t found, std::size_t expected, const char* stream, const char* of) {
+  if (found != 0 && found != expected) {
+    return malformed(fmt::format("{} has {} entries, expected one for each of the {} {}", stream, found, expected, of));
+  }
+  return {};
+}
+
+/// Every entry lies inside an array of `size`, or is kNone where that is allowed.
+Result<void> check_indices(const std::vector<std::uint32_t>& indices, std::size_t size, bool may_be_none, const char* stream, const char* of) {
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    if (indices[i] >= size && !(may_be_none && indices[i] == kNone)) {
+      return malformed(fmt::format("{}[{}] is {}, but there {} {} {}", stream, i, indices[i], size == 1 ? "is" : "are", size, of));
+    }
+  }
+  return {};
+}
+
+Result<void> check_faces(const SourceMesh& source) {
+  const auto& begin = source.face_begin;
+  if (begin.empty() || begin.front() != 0) {
+    return malformed("face_begin does not begin with 0");
+  }
+  for (std::size_t f = 0; f + 1 < begin.size(); ++f) {
+    if (begin[f] > begin[f + 1]) {
+      return malformed(fmt::format("face_begin[{}] is {}, smaller than the {} before it", f + 1, begin[f + 1], begin[f]));
+    }
+  }
+  if (begin.back() != source.corner_position.size()) {
+    return malformed(fmt::format("face_begin ends with {}, but there are {} corners", begin.back(), source.corner_position.size()));
+  }
+  return {};
+}
+
+Result<void> check(const SourceMesh& s) {
+  const std::size_t corners = s.corner_position.size();
+  return check_count(s.positions.size(), "positions")
+      .and_then([&] { return check_count(s.normals.size(), "normals"); })
+      .and_then([&] { return check_count(s.uvs.size(), "texture coordinates"); })
+      .and_then([&] { return check_count(corners, "corners"); })
+      .and_then([&] { return check_count(s.face_begin.size(), "faces"); })
+      .and_then([&] { return check_faces(s); })
+      .and_then([&] { return check_length(s.colors.size(), s.positions.size(), "colors", "positions"); })
+      .and_then([&] { return check_length(s.face_colors.size(), s.face_count(), "face_colors", "faces"); })
+      .and_then([&] { return check_length(s.corner_normal.size(), corners, "corner_normal", "corners"); })
+      .and_then([&] { return check_length(s.corner_uv.size(), corners, "corner_uv", "corners"); })
+      .and_then([&] { return check_length(s.face_smoothing.size(), s.face_count(), "face_smoothing", "faces"); })
+      .and_then([&] { return check_length(s.face_material.size(), s.face_count(), "face_material", "faces"); })
+      .and_then([&] { return check_length(s.face_object.size(), s.face_count(), "face_object", "faces"); })
+      .and_then([&] { return check_indices(s.corner_position, s.positions.size(), false, "corner_position", "positions"); })
+      .and_then([&] { return check_indices(s.corner_normal, s.normals.size(), true, "corner_normal", "normals"); })
+      .and_then([&] { return check_indices(s.corner_uv, s.uvs.size(), true, "corner_uv", "texture coordinates"); })
+      .and_then([&] { return check_indices(s.face_material, s.materials.size(), true, "face_material", "materials"); })
+      .and_then([&] { return check_indices(s.face_object, s.objects.size(), true, "face_object", "objects"); });
+}
+
+/// What is carried on; the copy of a big mesh is made once.
+SourceMesh copy_geometry(const SourceMesh& s) {
+  SourceMesh copy;
+  copy.positions = s.positions;
+  copy.normals = s.normals;
+  copy.uvs = s.uvs;
+  copy.colors = s.colors;
+  copy.face_colors = s.face_colors;
+  copy.face_begin = s.face_begin;
+  copy.corner_position = s.corner_position;
+  copy.corner_normal = s.corner_normal;
+  copy.corner_uv = s.corner_uv;
+  copy.face_smoothing = s.face_smoothing;
+  copy.face_material = s.face_material;
+  copy.format = s.format;
+  copy.weld_first = s.weld_first;
+  return copy;
+}
+
+std::size_t whiten(std::vector<Vec3f>& colors) {
+  std::size_t count = 0;
+  for (Vec3f& color : colors) {
+    if (!is_finite(color)) {
+      color = {1, 1, 1};
+      ++count;
+    }
+  }
+  return count;
+}
+
+std::size_t replace_uvs(std::vector<Vec2f>& uvs) {
+  std::size_t count = 0;
+  for (Vec2f& uv : uvs) {
+    if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) {
+      uv = {0, 0};
+      ++count;
+    }
+  }
+  return count;
+}
+
+/// Makes the normals unit vectors; those that cannot be are forgotten by the corners that name them.
+std::size_t normalize_normals(SourceMesh& mesh) {
+  std::vector<bool> unusable(mesh.normals.size(), false);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+    const Vec3d n = vec_cast<double>(mesh.normals[i]);
+    const double size = length(n);
+    if (std::isfinite(size) && size > 0) {
+      mesh.normals[i] = vec_cast<float>(Vec3d{n.x / size, n.y / size, n.z / size});
+    } else {
+      unusable[i] = true;
+      ++count;
+    }
+  }
+  if (count > 0) {
+    for (std::uint32_t& normal : mesh.corner_normal) {
+      if (normal != kNone && unusable[normal]) {
+        normal = kNone;
+      }
+    }
+  }
+  return count;
+}
+
+void weld(ValidMesh& mesh) {
+  SourceMesh& source = mesh.source;
+  if (!source.colors.empty()) {
+    mesh.corner_color = source.corner_position;
+  }
+  const std::vector<std::uint32_t> first = weld_positions(source.positions);
+  for (std::uint32_t& position : source.corner_position) {
+    position = first[position];
+  }
+}
+
+struct Dropped {
+  std::size_t infinite_faces = 0;
+  std::size_t thin_faces = 0;
+  std::size_t repeated_corners = 0;
+};
+
+/// Keeps the faces and corners that can be drawn, in their order and in place: what is written never overtakes what is read.
+Dropped drop_faces(ValidMesh& mesh) {
+  SourceMesh& s = mesh.source;
+  Dropped dropped;
+  std::uint32_t corners = 0;
+  std::size_t faces = 0;
+  const auto keep_corner = [&](std::uint32_t to, std::uint32_t from) {
+    s.corner_position[to] = s.corner_position[from];
+    if (!s.corner_normal.empty()) {
+      s.corner_normal[to] = s.corner_normal[from];
+    }
+    if (!s.corner_uv.empty()) {
+      s.corner_uv[to] = s.corner_uv[from];
+    }
+    if (!mesh.corner_color.empty()) {
+      mesh.corner_color[to] = mesh.corner_color[from];
+    }
+  };
+  const auto same_place = [&](std::uint32_t a, std::uint32_t b) {
+    return s.corner_position[a] == s.corner_position[b] || s.positions[s.corner_position[a]] == s.positions[s.corner_position[b]];
+  };
+  std::uint32_t begin = 0;
+  for (std::size_t f = 0; f < s.face_count(); ++f) {
+    const std::uint32_t end = s.face_begin[f + 1];
+    const std::uint32_t kept_begin = corners;
+    bool finite = true;
+    for (std::uint32_t c = begin; c < end; ++c) {
+      finite = finite && is_finite(s.positions[s.corner_position[c]]);
+      keep_corner(corners, c);
+      if (corners == kept_begin || !same_place(corners - 1, corners)) {
+        ++corners;
+      }
+    }
+    while (corners > kept_begin + 1 && same_place(corners - 1, kept_begin)) {
+      --corners;
+    }
+    bool thin = true;  // a walk to and fro between two places has any number of corners
+    for (std::uint32_t c = kept_begin + 2; c < corners && thin; ++c) {
+      thin = same_place(c, kept_begin) || same_place(c, kept_begin + 1);
+    }
+    if (!finite || thin) {
+      ++(finite ? dropped.thin_faces : dropped.infinite_faces);
+      corners = kept_begin;
+    } else {
+      dropped.repeated_corners += (end - begin) - (corners - kept_begin);
+      if (!s.face_smoothing.empty()) {
+        s.face_smoothing[faces] = s.face_smoothing[f];
+      }
+      if (!s.face_material.empty()) {
+        s.face_material[faces] = s.face_material[f];
+      }
+      if (!s.face_colors.empty()) {
+        s.face_colors[faces] = s.face_colors[f];
+      }
+      s.face_begin[++faces] = corners;
+    }
+    begin = end;
+  }
+  const auto shrink = [](auto& stream, std::size_t size) { stream.resize(std::min(stream.size(), size)); };
+  shrink(s.face_begin, faces + 1);
+  shrink(s.face_smoothing, faces);
+  shrink(s.face_material, faces);
+  shrink(s.face_colors, faces);
+  shrink(s.corner_position, corners);
+  shrink(s.corner_normal, corners);
+  shrink(s.corner_uv, corners);
+  shrink(mesh.corner_color, corners);
+  return dropped;
+}
+
+}  // namespace
+
+std::string counted(std::size_t count, const char* singular, const char* plural) {
+  return fmt::format("{} {}", count, count == 1 ? singular : plural);
+}
+
+Result<void> check_count(std::size_t count, const char* what) {
+  if (count > kNone - 1) {
+    return fail(ErrorKind::limit, {}, fmt::format("{} {} are more than the {} that can be indexed", count, what, kNone - 1));
+  }
+  return {};
+}
+
+Result<ValidMesh> validate(const SourceMesh& source) {
+  if (Result<void> checked = check(source); !checked) {
+    return tl::unexpected<Error>(checked.error());
+  }
+  ValidMesh mesh{copy_geometry(source), {}, {}};
+  const auto note = [&](std::size_t count, const char* singular, const char* plural, const char* what) {
+    if (count > 0) {
+      mesh.notes.push_back({{}, fmt::format("{} {}", counted(count, singular, plural), what)});
+    }
+  };
+  const std::size_t white = whiten(mesh.source.colors) + whiten(mesh.source.face_colors);
+  note(white, "colour", "colours", "not finite: white instead");
+  note(replace_uvs(mesh.source.uvs), "texture coordinate", "texture coordinates", "not finite: (0, 0) instead");
+  note(normalize_normals(mesh.source), "normal", "normals", "zero or not finite: made from the faces instead");
+  if (source.weld_first) {
+    weld(mesh);
+  }
+  const Dropped dropped = drop_faces(mesh);
+  note(dropped.infinite_faces, "face", "faces", "with a position that is not finite: dropped");
+  note(dropped.thin_faces, "face", "faces", "with fewer than three distinct corners: dropped");
+  note(dropped.repeated_corners, "corner", "corners", "at the place of the corner before: dropped");
+  return mesh;
+}
+
+}  // namespace lustro
