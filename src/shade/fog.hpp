@@ -14,7 +14,7 @@ struct ShadingFog {
   float density = 1;
   float end = 1;
   float range_scale = 1;  ///< 1 / (end - start)
-  Vec3f color;
+  Vec3f color{};
 };
 
 /// f: the share of the surface's colour that reaches the eye, 0..1.
