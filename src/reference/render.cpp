@@ -1,0 +1,117 @@
+// The reference renderer's table of contents. Slow and obvious: it defines what correct is.
+#include "lustro/render.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <new>
+
+#include "parallel/parallel_for.hpp"
+#include "reference/aov.hpp"
+#include "reference/pixel.hpp"
+#include "reference/triangle.hpp"
+#include "reference/visibility.hpp"
+
+namespace lustro {
+namespace {
+
+constexpr int kBandRows = 16;  // a band of rows is one thread's work: it owns its samples and its pixels
+
+// Triangles that touch each band, in order.
+std::vector<std::vector<std::uint32_t>> bin_by_band(const View& view, const std::vector<ScreenTriangle>& triangles) {
+  const int bands = (view.height + kBandRows - 1) / kBandRows;
+  std::vector<std::vector<std::uint32_t>> bins(static_cast<std::size_t>(bands));
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    const auto& y = triangles[i].y;
+    const auto [top, bottom] = std::minmax({y[0], y[1], y[2]});
+    const int first = std::max(0, (top >> 8) / kBandRows);
+    const int last = std::min(bands - 1, (bottom >> 8) / kBandRows);
+    for (int band = first; band <= last; ++band) {
+      bins[static_cast<std::size_t>(band)].push_back(i);
+    }
+  }
+  return bins;
+}
+
+// Calls progress with the share of bands that are done, one call at a time.
+class Progress {
+ public:
+  Progress(const std::function<void(double)>& report, std::size_t total) : report_(report), total_(total) {}
+  void step() {
+    if (report_) {
+      const std::lock_guard lock(mutex_);
+      report_(static_cast<double>(++done_) / static_cast<double>(total_));
+    }
+  }
+
+ private:
+  const std::function<void(double)>& report_;
+  std::size_t total_;
+  std::size_t done_ = 0;
+  std::mutex mutex_;
+};
+
+Result<Rendering> draw(const Scene& scene, const RenderOptions& options) {
+  const auto prepared = prepare(scene);  // scene/prepare.cpp
+  if (!prepared) {
+    return tl::unexpected(prepared.error());
+  }
+  const auto aovs = unfold_aovs(options.aovs, *prepared);  // reference/aov.cpp
+  if (!aovs) {
+    return tl::unexpected(aovs.error());
+  }
+  const bool wants_lights = std::any_of(aovs->begin(), aovs->end(), [](const Aov& aov) { return aov.kind == AovKind::light; });
+  const View& view = prepared->view;
+
+  Rendering result;
+  result.notes = prepared->notes;
+  result.color = Image(view.width, view.height, 4);
+  for (const Aov& aov : *aovs) {
+    result.layers.push_back(make_layer(aov, *prepared));
+  }
+  const std::vector<ScreenTriangle> triangles = setup_triangles(*prepared, options.threads);  // reference/triangle.cpp
+  const auto bins = bin_by_band(view, triangles);
+  result.stats.triangles = prepared->triangle_count;
+  result.stats.triangles_drawn = triangles.size();
+
+  Progress progress(options.progress, bins.size());
+  std::atomic<std::uint64_t> covered{0};
+  parallel_for(bins.size(), options.threads, [&](std::size_t band) {
+    const int top = static_cast<int>(band) * kBandRows;
+    const Rectangle rows{0, top, view.width, std::min(view.height, top + kBandRows)};
+    Visibility visibility(rows, view.samples);  // reference/visibility.cpp
+    for (const std::uint32_t index : bins[band]) {
+      visibility.draw(view, triangles[index], index);
+    }
+    std::uint64_t covered_here = 0;
+    for (int y = rows.top; y < rows.bottom; ++y) {
+      for (int x = rows.left; x < rows.right; ++x) {
+        const Pixel pixel = resolve_pixel(*prepared, triangles, visibility, x, y, wants_lights, nullptr);  // reference/pixel.cpp
+        const std::array<float, 4> color = pixel.color();
+        std::copy(color.begin(), color.end(), result.color.at(x, y).begin());
+        for (std::size_t i = 0; i < aovs->size(); ++i) {
+          store_aov((*aovs)[i], *prepared, pixel, result.layers[i].image.at(x, y));
+        }
+        covered_here += pixel.coverage > 0 ? 1 : 0;
+      }
+    }
+    covered += covered_here;
+    progress.step();
+  });
+  result.stats.pixels_covered = covered;
+  return result;
+}
+
+}  // namespace
+
+Result<Rendering> render(const Scene& scene, const RenderOptions& options) {
+  try {
+    return draw(scene, options);
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorKind::limit, "", fmt::format("not enough memory to draw {} x {} pixels", scene.image.width, scene.image.height));
+  }
+}
+
+}  // namespace lustro

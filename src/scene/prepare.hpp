@@ -1,0 +1,75 @@
+// The scene made flat for drawing: matrices in float, colours in linear light, lights relative to the eye. Every renderer starts from this, so
+// they agree on every input bit.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "lustro/result.hpp"
+#include "lustro/scene.hpp"
+#include "scene/view.hpp"
+#include "shade/fog.hpp"
+#include "shade/lighting.hpp"
+
+namespace lustro {
+
+/// Three rows of four: a point's affine transform in float, summed in the order ((x + y) + z) + translation.
+struct AffineRows {
+  std::array<float, 12> m{};
+  [[nodiscard]] Vec3f operator()(const Vec3f& p) const {
+    return {((m[0] * p.x + m[1] * p.y) + m[2] * p.z) + m[3], ((m[4] * p.x + m[5] * p.y) + m[6] * p.z) + m[7],
+            ((m[8] * p.x + m[9] * p.y) + m[10] * p.z) + m[11]};
+  }
+};
+
+/// A material ready for shading. Coefficients of terms that are switched off are 0.
+struct ShadingMaterial {
+  Coefficients<float> coefficients{};
+  Vec3f albedo;  ///< k_d, linear, also when the diffuse term is off
+  Lighting lighting = Lighting::phong;
+  Material stated;  ///< as the scene states it, with linear colours
+};
+
+/// One object's mesh at its place.
+struct Instance {
+  std::shared_ptr<const Mesh> mesh;  ///< with normals unless the interpolation is flat
+  std::vector<Vec3f> colors;         ///< V x 3, linear, or empty
+  std::uint32_t object = 0;
+  std::uint32_t first_triangle = 0;  ///< triangles are numbered through the scene, in order
+  std::uint32_t first_material = 0;  ///< index into PreparedScene::materials of the mesh's material 0
+  bool has_own_materials = false;    ///< false: every triangle has first_material
+  bool is_mirrored = false;          ///< the matrix turns the winding round
+
+  AffineRows image_from_object;     ///< (pixels * depth from the image's centre, x and y; depth), orthographic: (pixels, pixels, depth)
+  AffineRows relative_from_object;  ///< world orientation, relative to the eye
+  AffineRows normal_from_object;    ///< inverse transpose up to a positive factor; no translation
+
+  [[nodiscard]] std::uint32_t material_of(std::uint32_t triangle) const {
+    return first_material + (has_own_materials && !mesh->triangle_material.empty() ? mesh->triangle_material[triangle] : 0U);
+  }
+};
+
+struct PreparedScene {
+  View view;
+  Shading shading;
+  Transfer transfer = Transfer::srgb;
+  std::vector<Instance> instances;
+  std::vector<ShadingMaterial> materials;
+  std::vector<ShadingLight> lights;
+  std::vector<Light> stated_lights;       ///< one each, the default rig included
+  std::vector<std::string> object_names;  ///< one an object
+  Vec3f ambient;
+  std::optional<ShadingFog> fog;
+  std::array<float, 4> background{};  ///< linear, premultiplied
+  std::uint32_t triangle_count = 0;
+  Notes notes;
+};
+
+/// errors  usage where something does not fit together (an object without a mesh, a singular matrix, a camera that cannot see); limit for more
+///         than 2^32 - 2 triangles; empty for a scene without any triangle
+[[nodiscard]] Result<PreparedScene> prepare(const Scene& scene);
+
+}  // namespace lustro

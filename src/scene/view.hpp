@@ -1,0 +1,56 @@
+// The view: where the camera stands and which pixel sees which ray. Everything is computed in double and relative to the eye, so that a scene
+// far from the origin loses no digits; the renderers read the float members.
+#pragma once
+
+#include "lustro/mesh.hpp"
+#include "lustro/result.hpp"
+#include "lustro/scene.hpp"
+
+namespace lustro {
+
+/// A camera made definite. Image coordinates are pixels, x to the right, y down, (0, 0) the upper left corner of the upper left pixel.
+struct View {
+  int width = 0, height = 0, samples = 1;
+  Projection projection = Projection::perspective;
+
+  Vec3d eye;                   ///< world
+  Vec3d target;                ///< world
+  Vec3d right, up, forward;    ///< world, unit, orthogonal
+  double near = 0, far = 0;    ///< distances along forward, near < far
+  double pixels_per_unit = 0;  ///< at distance 1 (perspective), everywhere (orthographic)
+
+  float center_x = 0, center_y = 0;  ///< the image's centre, pixels
+  Vec3f ray_center;                  ///< perspective: the eye-relative point at distance 1 that the image's centre shows (forward)
+  Vec3f ray_dx, ray_dy;              ///< its change a pixel to the right, a pixel down
+  float depth_near = 0, depth_far = 0;
+
+  /// The eye-relative point that image position (x, y) shows at `depth` along the view direction.
+  [[nodiscard]] Vec3f point_at(float x, float y, float depth) const {
+    const Vec3f across = ray_dx * (x - center_x) + ray_dy * (y - center_y);
+    return projection == Projection::perspective ? (ray_center + across) * depth : across + ray_center * depth;
+  }
+  /// V at image position (x, y): unit, towards the eye.
+  [[nodiscard]] Vec3f to_eye_at(float x, float y) const {
+    if (projection == Projection::orthographic) {
+      return -ray_center;
+    }
+    return -normalize(ray_center + (ray_dx * (x - center_x) + ray_dy * (y - center_y)));
+  }
+  /// V at an eye-relative point that is not on a pixel's ray (a vertex, a face's centre).
+  [[nodiscard]] Vec3f to_eye_from(const Vec3f& position) const {
+    if (projection == Projection::orthographic) {
+      return -ray_center;
+    }
+    const float distance2 = dot(position, position);
+    return distance2 > 0 ? -position * (1.0F / std::sqrt(distance2)) : -ray_center;
+  }
+};
+
+/// The camera with all that it leaves open chosen so that `bounds` (world) fills the image with a small margin.
+/// errors  usage where eye and target coincide, up is parallel to the view, near >= far, or a number is out of range
+[[nodiscard]] Result<View> make_view(const Camera& camera, const ImageSettings& image, const Bounds& bounds);
+
+/// The light of a scene without `lights`: key, fill and rim, fixed to the camera.
+[[nodiscard]] std::vector<Light> default_rig(const View& view);
+
+}  // namespace lustro
