@@ -7,14 +7,16 @@ find_package(TBB REQUIRED)
 find_package(OpenEXR 3 REQUIRED)
 find_package(FastFloat REQUIRED)
 pkg_check_modules(SPNG REQUIRED IMPORTED_TARGET spng)
+pkg_check_modules(DEFLATE REQUIRED IMPORTED_TARGET libdeflate)
+pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)
 
 add_library(lustro_public_dependencies INTERFACE)
 target_link_libraries(lustro_public_dependencies INTERFACE tl::expected)
 
 # Headers alone are needed only to build the library itself; what is linked is needed by whoever links it when it is static.
 add_library(lustro_private_dependencies INTERFACE)
-target_link_libraries(lustro_private_dependencies INTERFACE fmt::fmt TBB::tbb OpenEXR::OpenEXR PkgConfig::SPNG
+target_link_libraries(lustro_private_dependencies INTERFACE fmt::fmt TBB::tbb OpenEXR::OpenEXR PkgConfig::SPNG PkgConfig::DEFLATE PkgConfig::FREETYPE
                       $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> $<BUILD_INTERFACE:FastFloat::fast_float>)
 
 # The same for pkg-config, by the names of their .pc files; cmake/lustroConfig.cmake.in finds them for CMake.
-set(LUSTRO_PKG_CONFIG_REQUIRES fmt tbb OpenEXR spng)
+set(LUSTRO_PKG_CONFIG_REQUIRES fmt tbb OpenEXR spng libdeflate freetype2)

@@ -41,17 +41,17 @@ struct Layer {
   std::string name;                   ///< `diffuse`, `normal`, `light:0`, ...
   std::vector<std::string> channels;  ///< as an EXR file names them: {"R","G","B"}, {"X","Y","Z"}, {"Z"}
   Image image;
-  std::vector<std::string> labels;    ///< for ids: the name of object or material i
+  std::vector<std::string> labels;  ///< for ids: the name of object or material i
 };
 
 /// The colour picture (linear, alpha premultiplied) as it is written.
 struct WriteOptions {
   int bits = 8;  ///< PNG: 8 or 16
   Transfer transfer = Transfer::srgb;
-  int png_level = 6;  ///< 0..12 of libdeflate, or 0..9 of zlib
+  int png_level = 6;  ///< 0..12, as libdeflate counts them
 };
 
-/// 8 bits per channel, interleaved, alpha not premultiplied: the very bytes that a PNG holds.
+/// 8 bits per channel, interleaved, alpha not premultiplied: the very values that a PNG holds (which leaves out an alpha of 1 everywhere).
 struct ByteImage {
   int width = 0;
   int height = 0;
@@ -62,35 +62,51 @@ struct ByteImage {
 /// Stored bytes of a linear, premultiplied RGBA (or RGB, or one-channel) image: unpremultiplied, encoded, round(255 clamp(x, 0, 1)).
 [[nodiscard]] ByteImage to_bytes(const Image& image, Transfer transfer);
 
-/// Writes an image by its extension: .png (8 or 16 bit), .exr or .pfm (float, linear). Under a temporary name in the same folder, then renamed: an
-/// existing file is replaced whole or not at all. Equal pixels give equal bytes.
-/// errors  unsupported for another extension; io where the file cannot be written
+/// Writes an image by its extension: .png (8 or 16 bit), .exr or .pfm (float, linear). Under a temporary name in the same folder, then renamed:
+/// an existing file is replaced whole or not at all. Equal pixels give equal bytes. An alpha that is 1 everywhere is left out of a PNG; a PFM
+/// never has one.
+///
+/// errors  unsupported for another extension; usage for options out of range or an image of no size; io where the file cannot be written
 [[nodiscard]] Result<void> write_image(const std::filesystem::path& file, const Image& image, const WriteOptions& options = {});
 
-/// The colour picture and its layers as one EXR file with named layers (`diffuse.R`, `normal.X`, ...), float, linear.
+/// The colour picture and its layers as one EXR file with named layers (`diffuse.R`, `normal.X`, ...), float, linear. A layer's labels are the
+/// file's attribute NAME.labels, a vector of strings.
+///
+/// errors  usage where a layer has another size than the picture, or two channels one name; io
 [[nodiscard]] Result<void> write_exr_layers(const std::filesystem::path& file, const Image& color, std::span<const Layer> layers);
 
-/// A layer as a PNG that can be looked at: depth scaled near = white, normals and positions mapped to 0..1, ids by a colour table, terms encoded.
+/// Whether a layer holds numbers (depth, normals, ids, ...) and no light: its preview is stored as it stands, with Transfer::none.
+[[nodiscard]] bool is_data_layer(const Layer& layer);
+
+/// A layer as a picture that can be looked at, 0..1: depth scaled near = white, normals and positions mapped to 0..1, ids by a colour table;
+/// terms and albedo as they are. The background is black. To be written with Transfer::none where is_data_layer() says so.
 [[nodiscard]] Image layer_preview(const Layer& layer);
 
-/// Bytes under a temporary name in the same folder, then renamed.
+/// Bytes under a temporary name in the same folder, then renamed, with the permissions that the umask leaves. A symbolic link stays one: what it
+/// points to is replaced. A device or a pipe is written to.
+///
+/// errors  io with the system's reason; no half-written file is left
 [[nodiscard]] Result<void> write_file_atomically(const std::filesystem::path& file, std::span<const std::byte> bytes);
 
-/// An image file as linear floats, alpha premultiplied: PNG (8, 16 bit; decoded by `transfer`), EXR, PFM. At most 16384 x 16384 pixels.
+/// An image file as linear floats, alpha premultiplied: PNG (any kind; decoded by `transfer`), EXR, PFM. At most 16384 x 16384 pixels. By
+/// content first, then by extension. One channel for gray, three for colour, four with alpha. Layers of an EXR file are not read.
+///
+/// errors  io, malformed, unsupported, limit: each names the file and what is wrong
 [[nodiscard]] Result<Image> read_image(const std::filesystem::path& file, Transfer transfer = Transfer::srgb);
 
 /// How two pictures differ. Both are compared as they would be stored: encoded by `transfer`, clamped to 0..1, over black.
 struct Comparison {
-  double max = 0;    ///< largest absolute difference of a channel
-  double mean = 0;   ///< mean absolute difference
+  double max = 0;   ///< largest absolute difference of a channel
+  double mean = 0;  ///< mean absolute difference
   double rmse = 0;
-  double psnr = 0;   ///< dB; infinity for equal pictures
+  double psnr = 0;        ///< dB; infinity for equal pictures
   double share_over = 0;  ///< share of pixels in which a channel differs by more than the tolerance
-  double flip = 0;   ///< mean FLIP error, 0..1 (Andersson et al. 2020, LDR, 67 pixels a degree)
-  Image heatmap;     ///< H x W x 3, linear: FLIP error as a colour
+  double flip = 0;        ///< mean FLIP error, 0..1 (Andersson et al. 2020, LDR, 67 pixels a degree)
+  Image heatmap;          ///< H x W x 3, linear: FLIP error as a colour
 };
 
 /// errors  usage where the sizes differ
-[[nodiscard]] Result<Comparison> compare_images(const Image& a, const Image& b, double tolerance = 2.0 / 255, Transfer transfer = Transfer::srgb);
+[[nodiscard]] Result<Comparison> compare_images(const Image& a, const Image& b, double tolerance = 2.0 / 255,
+                                                Transfer transfer = Transfer::srgb);
 
 }  // namespace lustro

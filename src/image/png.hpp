@@ -1,0 +1,23 @@
+// PNG (W3C, Portable Network Graphics, 3rd edition): written by ourselves around libdeflate, read by libspng.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lustro/image.hpp"
+
+namespace lustro {
+
+/// A whole PNG file. One channel gives gray, three give RGB; two and four have alpha, which is left out where it is 1 everywhere. `srgb` is
+/// marked by an sRGB chunk; with `none` there is no such chunk, because then the values are numbers or the classic unmanaged colours, for
+/// neither of which a gamma could be stated truly. No timestamp, one filter for all rows: equal images give equal bytes. errors  usage where
+/// bits or level are out of range
+[[nodiscard]] Result<std::vector<std::byte>> encode_png(const Image& image, const WriteOptions& options);
+
+/// Any PNG: gray of 1 to 16 bits, palette, RGB, alpha, tRNS, interlaced. One channel for opaque gray, three for opaque colour, four with alpha.
+/// Values are decoded by `transfer`; gAMA and iCCP chunks are not applied. errors  malformed, limit
+[[nodiscard]] Result<Image> decode_png(std::span<const std::byte> bytes, const std::string& where, Transfer transfer);
+
+}  // namespace lustro

@@ -1,0 +1,18 @@
+// From linear, premultiplied floats to the integers that a PNG stores.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lustro/image.hpp"
+
+namespace lustro {
+
+/// The 8-bit values of all pixels, interleaved: divided by alpha (the last of 2 or 4 channels), encoded, rounded. Alpha itself is only rounded.
+/// Where alpha is 0 the colour is 0.
+[[nodiscard]] std::vector<std::uint8_t> stored8(const Image& image, Transfer transfer);
+
+/// The same in 16 bits, in the machine's byte order.
+[[nodiscard]] std::vector<std::uint16_t> stored16(const Image& image, Transfer transfer);
+
+}  // namespace lustro
