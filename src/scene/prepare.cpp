@@ -28,10 +28,12 @@ Vec3f linear_rgb(const Color& color, Transfer transfer) {
 ShadingMaterial prepare_material(const Material& material, const Shading& shading, Transfer transfer) {
   ShadingMaterial result;
   result.stated = material;
-  for (Color* color :
-       {&result.stated.ambient, &result.stated.diffuse, &result.stated.specular, &result.stated.emission, &result.stated.transmission}) {
-    *color = {linear_rgb(*color, transfer), ColorSpace::linear};
-  }
+  const auto decode = [transfer](const Color& color) { return Color{linear_rgb(color, transfer), ColorSpace::linear}; };
+  result.stated.ambient = decode(material.ambient);
+  result.stated.diffuse = decode(material.diffuse);
+  result.stated.specular = decode(material.specular);
+  result.stated.emission = decode(material.emission);
+  result.stated.transmission = decode(material.transmission);
   const TermSet& terms = shading.terms;
   const auto keep = [](bool on, const Color& color) { return on ? color.rgb : Vec3f{}; };
   result.albedo = result.stated.diffuse.rgb;
