@@ -19,7 +19,7 @@
 namespace lustro {
 
 /// The largest magnitude of a number in a scene: every number must be finite as a float, too.
-inline constexpr double kLargestNumber = std::numeric_limits<float>::max();
+inline constexpr double kLargestNumber = static_cast<double>(std::numeric_limits<float>::max());
 
 /// What a key's value looks like in JSON.
 enum class ValueKind : std::uint8_t {
