@@ -102,7 +102,7 @@ std::vector<double> css_numbers(std::string_view inside) {
   return numbers.size() < 3 ? std::vector<double>{} : numbers;
 }
 
-constexpr double kLargestFloat = std::numeric_limits<float>::max();
+constexpr double kLargestFloat = static_cast<double>(std::numeric_limits<float>::max());
 
 /// A decimal text with a sign and a dot where JSON would else lose that it is -0.
 std::string with_signed_zero(std::string text) {
