@@ -8,11 +8,9 @@
 
 #include "image/srgb.hpp"
 #include "math/trig.hpp"
+#include "mesh/normals.hpp"
 
 namespace lustro {
-
-Mesh with_vertex_normals(const Mesh& mesh, const NormalOptions& options);  // mesh/normals.hpp
-
 namespace {
 
 Vec3f linear_rgb(const Vec3f& rgb, ColorSpace space, Transfer transfer) {
