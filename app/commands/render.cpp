@@ -1,0 +1,170 @@
+// `lustro render SCENE|MESH -o OUT`: draws a scene. Its flags for the scene come from the table of options.
+#include "lustro/render.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "app/commands.hpp"
+#include "app/emptiness.hpp"
+#include "app/json_out.hpp"
+#include "app/outputs.hpp"
+#include "app/progress.hpp"
+#include "app/scene_input.hpp"
+
+namespace lustro::app {
+namespace {
+
+struct RenderFlags {
+  std::string scene;
+  SceneFlags scene_flags;
+  std::vector<std::string> outputs;
+  std::string aovs;
+  int bits = 8;
+  int png_level = 6;
+  bool allow_empty = false;
+  bool mtl_tr = false;
+  bool print_scene = false;
+};
+
+Result<void> check_flags(const Session& session, const RenderFlags& flags) {
+  const bool to_stdout = std::find(flags.outputs.begin(), flags.outputs.end(), kStdout) != flags.outputs.end();
+  if (to_stdout && (session.json || flags.print_scene)) {
+    return fail(ErrorKind::usage, "-o -",
+                fmt::format("the picture and the text of {} cannot both go to standard output", session.json ? "--json" : "--print-scene"));
+  }
+  if (flags.bits != 8 && flags.bits != 16) {
+    return fail(ErrorKind::usage, "--bits", fmt::format("{} is neither 8 nor 16", flags.bits));
+  }
+  if (flags.png_level < 0 || flags.png_level > 12) {
+    return fail(ErrorKind::usage, "--png-level", fmt::format("{} is outside 0..12", flags.png_level));
+  }
+  return {};
+}
+
+Result<Rendering> draw(const Session& session, const Scene& scene, std::vector<Aov> aovs, bool allow_empty) {
+  ProgressBar progress(session, "drawing");
+  Result<Rendering> rendering = render(scene, {.threads = session.threads, .aovs = std::move(aovs), .progress = progress.callback()});
+  progress.wipe();
+  if (!rendering && rendering.error().kind == ErrorKind::empty && allow_empty) {
+    say_warning(session, fmt::format("nothing was drawn: {}", rendering.error().message));
+    return empty_rendering(scene);
+  }
+  return rendering;
+}
+
+Json render_json(const RenderFlags& flags, const Scene& scene, const Rendering& rendering, const std::vector<std::string>& written,
+                 const Notes& notes) {
+  return {{"scene", flags.scene},
+          {"outputs", written},
+          {"width", scene.image.width},
+          {"height", scene.image.height},
+          {"samples", scene.image.samples},
+          {"triangles", rendering.stats.triangles},
+          {"triangles_drawn", rendering.stats.triangles_drawn},
+          {"pixels_covered", rendering.stats.pixels_covered},
+          {"notes", json_notes(notes)}};
+}
+
+Result<ExitCode> run_render(const Session& session, const RenderFlags& flags) {
+  if (const Result<void> checked = check_flags(session, flags); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  Result<std::vector<Aov>> aovs = parse_aovs(flags.aovs);
+  if (!flags.aovs.empty() && !aovs) {
+    return fail(aovs.error().kind, "--aov", aovs.error().message);
+  }
+  Result<LoadedScene> loaded = load_scene_argument(flags.scene, flags.scene_flags, {.transparency_is_tr = flags.mtl_tr});
+  if (!loaded) {
+    return tl::unexpected(loaded.error());
+  }
+  const Scene& scene = loaded->scene;
+  if (flags.print_scene) {
+    say_warnings(session, loaded->notes);
+    return print(scene_json(scene) + "\n").map([] { return ExitCode::success; });
+  }
+  const bool is_named = !flags.outputs.empty();
+  const std::vector<std::string> outputs = is_named ? flags.outputs : std::vector<std::string>{default_output(flags.scene)};
+  if (const Result<void> checked = check_outputs(outputs); !checked) {
+    return tl::unexpected(checked.error());
+  }
+
+  const auto start = std::chrono::steady_clock::now();
+  Notes notes = std::move(loaded->notes);
+  const Result<Rendering> rendering = draw(session, scene, flags.aovs.empty() ? std::vector<Aov>{} : std::move(*aovs), flags.allow_empty);
+  if (rendering) {
+    notes.insert(notes.end(), rendering->notes.begin(), rendering->notes.end());
+  }
+  say_warnings(session, notes);
+  if (!rendering) {
+    return tl::unexpected(rendering.error());
+  }
+  if (rendering->stats.pixels_covered == 0 && rendering->stats.triangles > 0) {
+    const std::string reason = why_empty(scene, rendering->stats);
+    if (!flags.allow_empty) {
+      return fail(ErrorKind::empty, flags.scene, fmt::format("nothing was drawn: {} (--allow-empty writes the picture all the same)", reason));
+    }
+    say_warning(session, fmt::format("{}: nothing was drawn: {}", flags.scene, reason));
+  }
+
+  const WriteOptions options{.bits = flags.bits, .transfer = scene.image.transfer, .png_level = flags.png_level};
+  const Result<std::vector<std::string>> written = write_outputs(outputs, *rendering, options);
+  if (!written) {
+    return tl::unexpected(written.error());
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  for (const std::string& file : *written) {
+    if (file != kStdout) {
+      say(session, fmt::format("wrote {} ({} x {}, {} triangles, {:.2f} s)", file, scene.image.width, scene.image.height,
+                               rendering->stats.triangles, seconds));
+    }
+  }
+  if (session.json) {
+    return print_json(render_json(flags, scene, *rendering, *written, notes)).map([] { return ExitCode::success; });
+  }
+  return ExitCode::success;
+}
+
+std::string aov_list() {
+  std::string names;
+  for (const std::string_view name : aov_names()) {
+    names += (names.empty() ? "" : ", ") + std::string(name);
+  }
+  return names;
+}
+
+}  // namespace
+
+Command make_render(CommandLine& line, Session& session) {
+  CLI::App* app = add_subcommand(line, session, "render", "Draws a scene or a mesh; flags override what the scene file says");
+  auto flags = std::make_shared<RenderFlags>();
+  app->add_option("SCENE", flags->scene, "A scene file, a mesh (OBJ, PLY, STL), or primitive:NAME (plane, cube, sphere, torus, teapot)")
+      ->type_name("FILE")
+      ->required();
+  const std::string output = "Output";
+  app->add_option("-o,--output", flags->outputs,
+                  "The picture: .png, .exr or .pfm; - is a PNG on standard output (default: the mesh's name with .png, beside it)")
+      ->type_name("FILE")
+      ->group(output)
+      ->expected(1, 1 << 20)
+      ->allow_extra_args(false);
+  app->add_option("--bits", flags->bits, "Bits a channel of a PNG: 8 or 16 (default: 8)")->type_name("8|16")->group(output);
+  app->add_option(
+         "--aov", flags->aovs,
+         "Layers beside the picture, separated by commas: " + aov_list() + ". An .exr holds them all; out.png brings out.NAME.png for each")
+      ->type_name("LIST")
+      ->group(output);
+  app->add_option("--png-level", flags->png_level, "Compression of PNG, 0 (none) to 12 (slow) (default: 6)")->type_name("N")->group(output);
+  app->add_flag("--allow-empty", flags->allow_empty, "Writes the picture even if nothing was drawn in it")->group(output);
+  app->add_flag("--print-scene", flags->print_scene, "Draws nothing; prints the scene file with all flags laid over it")->group(output);
+  flags->scene_flags = add_scene_flags(*app);
+  app->add_flag("--mtl-tr", flags->mtl_tr, "A lone Tr in an MTL file is the opacity, as 3ds Max writes it, not 1 - opacity")->group("Input");
+  return {app,
+          {{"lustro render bunny.ply --material jade --view front -o jade.png", "a mesh in a classic material, from the front"},
+           {"lustro render scene.json --size 1920x1080 --samples 16 -o big.png", "a scene, larger and smoother than its file says"},
+           {"lustro render primitive:teapot --interpolation flat --light \"point 2,3,4 color=#fff\" -o facets.png", "one lamp, facets shown"},
+           {"lustro render scene.json --aov depth,normal,diffuse,light:0 -o out.exr -o out.png", "layers, to compute with and to look at"}},
+          [&session, flags] { return run_render(session, *flags); }};
+}
+
+}  // namespace lustro::app

@@ -1,0 +1,96 @@
+// An Explanation as JSON, member by member: see explain_report.hpp.
+#include "explain_report.hpp"
+#include "scene/words.hpp"
+
+namespace lustro::app {
+namespace {
+
+Json light_json(const LightExplanation& light) {
+  return {{"light", light.light},
+          {"name", light.name},
+          {"to_light", json_vector(light.to_light)},
+          {"reflected", json_vector(light.reflected)},
+          {"half", json_vector(light.half)},
+          {"distance", json_number(light.distance)},
+          {"n_dot_l", json_number(light.n_dot_l)},
+          {"r_dot_v", json_number(light.r_dot_v)},
+          {"n_dot_h", json_number(light.n_dot_h)},
+          {"attenuation", json_number(light.attenuation)},
+          {"spot", json_number(light.spot)},
+          {"ambient", json_vector(light.ambient)},
+          {"diffuse", json_vector(light.diffuse)},
+          {"specular", json_vector(light.specular)}};
+}
+
+Json shading_json(const ShadingExplanation& shading) {
+  Json lights = Json::array();
+  for (const LightExplanation& light : shading.lights) {
+    lights.push_back(light_json(light));
+  }
+  return {{"weight", json_number(shading.weight)},
+          {"position", json_vector(shading.position)},
+          {"normal", json_vector(shading.normal)},
+          {"to_eye", json_vector(shading.to_eye)},
+          {"scene_ambient", json_vector(shading.scene_ambient)},
+          {"ambient", json_vector(shading.ambient)},
+          {"diffuse", json_vector(shading.diffuse)},
+          {"specular", json_vector(shading.specular)},
+          {"emission", json_vector(shading.emission)},
+          {"lights", lights}};
+}
+
+Json fragment_json(const FragmentExplanation& fragment) {
+  Json shadings = Json::array();
+  for (const ShadingExplanation& shading : fragment.shadings) {
+    shadings.push_back(shading_json(shading));
+  }
+  return {{"object", fragment.object},
+          {"object_name", fragment.object_name},
+          {"triangle", fragment.triangle},
+          {"material", fragment.material},
+          {"material_name", fragment.material_name},
+          {"front", fragment.front},
+          {"samples", fragment.samples},
+          {"x", json_number(fragment.x)},
+          {"y", json_number(fragment.y)},
+          {"depth", json_number(fragment.depth)},
+          {"barycentrics", json_vector(fragment.barycentrics)},
+          {"position", json_vector(fragment.position)},
+          {"lighting", word_of(fragment.lighting)},
+          {"coefficients", json_material(fragment.coefficients)},
+          {"shadings", shadings},
+          {"ambient", json_vector(fragment.ambient)},
+          {"diffuse", json_vector(fragment.diffuse)},
+          {"specular", json_vector(fragment.specular)},
+          {"emission", json_vector(fragment.emission)},
+          {"fog", json_vector(fragment.fog)},
+          {"fog_factor", json_number(fragment.fog_factor)}};
+}
+
+}  // namespace
+
+Json explanation_json(const Explanation& explanation) {
+  Json fragments = Json::array();
+  for (const FragmentExplanation& fragment : explanation.fragments) {
+    fragments.push_back(fragment_json(fragment));
+  }
+  Json color = Json::array();
+  for (const float channel : explanation.color) {
+    color.push_back(json_number(channel));
+  }
+  return {{"x", explanation.x},
+          {"y", explanation.y},
+          {"interpolation", word_of(explanation.interpolation)},
+          {"samples", explanation.samples},
+          {"fragments", fragments},
+          {"ambient", json_vector(explanation.ambient)},
+          {"diffuse", json_vector(explanation.diffuse)},
+          {"specular", json_vector(explanation.specular)},
+          {"emission", json_vector(explanation.emission)},
+          {"fog", json_vector(explanation.fog)},
+          {"background", json_vector(explanation.background)},
+          {"color", color},
+          {"bytes", explanation.bytes}};
+}
+
+}  // namespace lustro::app

@@ -1,0 +1,157 @@
+// An Explanation as text: see explain_report.hpp. Vectors stand in columns, so that a sum can be followed down the page.
+#include "explain_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "report.hpp"
+#include "scene/words.hpp"
+
+namespace lustro::app {
+namespace {
+
+std::string number(float x) {
+  return fmt::format("{:.6g}", x);
+}
+std::string columns(const Vec3f& v) {
+  return fmt::format("{:>12.6g} {:>12.6g} {:>12.6g}", v.x, v.y, v.z);
+}
+
+std::string row(int indent, const std::string& name, const std::string& value, const std::string& how = {}) {
+  constexpr int kNameColumns = 22;
+  return fmt::format("{:{}}{:<{}}{}{}{}\n", "", indent, name, kNameColumns - indent, value, how.empty() ? "" : "   ", how);
+}
+
+std::string row(int indent, const std::string& name, const Vec3f& v, const std::string& how = {}) {
+  return row(indent, name, columns(v), how);
+}
+
+std::string named(int index, const std::string& name) {
+  return name.empty() ? fmt::format("{}", index) : fmt::format("{} {}", index, printable(name));
+}
+
+const char* specular_formula(Lighting lighting) {
+  switch (lighting) {
+    case Lighting::phong:
+      return "max(R.V, 0)^n";
+    case Lighting::blinn_phong:
+      return "max(N.H, 0)^n";
+    case Lighting::lambert:
+    case Lighting::constant:
+      break;
+  }
+  return "0";
+}
+
+std::string light_text(const FragmentExplanation& fragment, const LightExplanation& light) {
+  std::string text = row(4, fmt::format("light {}", named(light.light, light.name)), "");
+  text += row(6, "L", light.to_light, "towards the light");
+  const bool is_phong = fragment.lighting == Lighting::phong;
+  const bool is_blinn = fragment.lighting == Lighting::blinn_phong;
+  if (is_phong) {
+    text += row(6, "R", light.reflected, "2 (N.L) N - L");
+  }
+  if (is_blinn) {
+    text += row(6, "H", light.half, "(L + V) / |L + V|");
+  }
+  std::string scalars = fmt::format("N.L = {}", number(light.n_dot_l));
+  if (is_phong) {
+    scalars += fmt::format("   R.V = {}", number(light.r_dot_v));
+  }
+  if (is_blinn) {
+    scalars += fmt::format("   N.H = {}", number(light.n_dot_h));
+  }
+  scalars += fmt::format("   f = {}   s = {}", number(light.attenuation), number(light.spot));
+  if (light.distance > 0) {
+    scalars += fmt::format("   distance = {}", number(light.distance));
+  }
+  text += fmt::format("      {}{}\n", scalars, light.n_dot_l <= 0 ? "   (the light is behind the surface)" : "");
+  text += row(6, "ambient", light.ambient, "f s k_a l_a");
+  text += row(6, "diffuse", light.diffuse, "f s k_d l_d max(N.L, 0)");
+  if (is_phong || is_blinn) {
+    text += row(6, "specular", light.specular, fmt::format("f s k_s l_s {}", specular_formula(fragment.lighting)));
+  }
+  return text;
+}
+
+std::string shading_text(const Explanation& explanation, const FragmentExplanation& fragment, const ShadingExplanation& shading,
+                         std::size_t index) {
+  std::string text;
+  if (explanation.interpolation == Interpolation::gouraud) {
+    text += row(2, fmt::format("vertex {}", index), fmt::format("weight {}", number(shading.weight)));
+  } else if (explanation.interpolation == Interpolation::flat) {
+    text += row(2, "the face's centre", "");
+  }
+  text += row(4, "position", shading.position, "world");
+  if (fragment.lighting == Lighting::constant) {
+    return text + row(4, "diffuse", shading.diffuse, "k_d, unlit");
+  }
+  text += row(4, "N", shading.normal);
+  text += row(4, "V", shading.to_eye, "towards the eye");
+  text += row(4, "scene's ambient", shading.scene_ambient, "k_a I_a");
+  for (const LightExplanation& light : shading.lights) {
+    text += light_text(fragment, light);
+  }
+  const char* clamped = explanation.interpolation == Interpolation::gouraud ? ", clamped at the vertex" : "";
+  text += row(4, "sum: ambient", shading.ambient, std::string("k_a I_a + the lights'") + clamped);
+  text += row(4, "     diffuse", shading.diffuse);
+  text += row(4, "     specular", shading.specular);
+  return text + row(4, "     emission", shading.emission, "k_e");
+}
+
+std::string fragment_text(const Explanation& explanation, const FragmentExplanation& fragment, std::size_t index) {
+  const Material& k = fragment.coefficients;
+  std::string text = fmt::format("\nsurface {} of {}, seen by {} of {} samples\n", index + 1, explanation.fragments.size(), fragment.samples,
+                                 explanation.samples);
+  text += row(2, "object", named(fragment.object, fragment.object_name));
+  text += row(2, "triangle", fmt::format("{}, its {}", fragment.triangle, fragment.front ? "front" : "back"));
+  text += row(2, "barycentrics", fragment.barycentrics);
+  text += row(2, "shaded at", fmt::format("{}, {} of the picture, depth {}", number(fragment.x), number(fragment.y), number(fragment.depth)));
+  text += row(2, "position", fragment.position, "world");
+  text += row(2, "material", named(fragment.material, fragment.material_name), fmt::format("lighting {}", word_of(fragment.lighting)));
+  text += row(2, "  k_a", k.ambient.rgb) + row(2, "  k_d", k.diffuse.rgb) + row(2, "  k_s", k.specular.rgb) + row(2, "  k_e", k.emission.rgb);
+  text += row(2, "  n", number(k.shininess));
+  if (fragment.lighting != Lighting::constant) {
+    text += fmt::format("\n  I = k_e + k_a I_a + sum over the lights of f s [ k_a l_a + k_d l_d max(N.L, 0) + k_s l_s spec ]\n  spec = {}{}\n\n",
+                        specular_formula(fragment.lighting), fragment.lighting == Lighting::lambert ? "" : ", 0 where N.L <= 0");
+  } else {
+    text += "\n  I = k_d, unlit\n\n";
+  }
+  for (std::size_t i = 0; i < fragment.shadings.size(); ++i) {
+    text += shading_text(explanation, fragment, fragment.shadings[i], i);
+  }
+  if (fragment.fog_factor != 1) {
+    text += row(2, "fog", fragment.fog, fmt::format("the surface counts {}", number(fragment.fog_factor)));
+  }
+  return text;
+}
+
+}  // namespace
+
+bool terms_sum_to_color(const Explanation& e) {
+  const Vec3f sum = ((((e.ambient + e.diffuse) + e.specular) + e.emission) + e.fog) + e.background;
+  return sum == Vec3f{e.color[0], e.color[1], e.color[2]};
+}
+
+std::string explanation_text(const Scene& scene, const Explanation& e) {
+  std::string text = fmt::format("pixel {}, {} of {} x {}: interpolation {}, {} {}\n", e.x, e.y, scene.image.width, scene.image.height,
+                                 word_of(e.interpolation), e.samples, e.samples == 1 ? "sample" : "samples");
+  int covered = 0;
+  for (std::size_t i = 0; i < e.fragments.size(); ++i) {
+    text += fragment_text(e, e.fragments[i], i);
+    covered += e.fragments[i].samples;
+  }
+  if (covered < e.samples) {
+    text += fmt::format("\nbackground, seen by {} of {} samples\n", e.samples - covered, e.samples);
+  }
+  text += "\nthe pixel: each surface's terms by its share of the samples\n";
+  text += row(2, "  ambient", e.ambient) + row(2, "+ diffuse", e.diffuse) + row(2, "+ specular", e.specular) + row(2, "+ emission", e.emission);
+  text += row(2, "+ fog", e.fog) + row(2, "+ background", e.background);
+  text += row(2, "= colour", Vec3f{e.color[0], e.color[1], e.color[2]}, fmt::format("alpha {}", number(e.color[3])));
+  return text + row(2, "stored", fmt::format("{:>12} {:>12} {:>12}", e.bytes[0], e.bytes[1], e.bytes[2]),
+                    fmt::format("alpha {}   #{:02x}{:02x}{:02x}   transfer {}", e.bytes[3], e.bytes[0], e.bytes[1], e.bytes[2],
+                                word_of(scene.image.transfer)));
+}
+
+}  // namespace lustro::app

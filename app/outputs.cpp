@@ -1,0 +1,126 @@
+// Output files: see outputs.hpp.
+#include "outputs.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include "image/decode.hpp"
+#include "image/png.hpp"
+#include "report.hpp"
+#include "scene_input.hpp"
+
+namespace lustro::app {
+namespace {
+
+Result<void> check_output(const std::string& output) {
+  if (output == kStdout) {
+    return stdout_is_terminal() ? Result<void>(fail(ErrorKind::usage, "-o -", "a picture is not written to a terminal; name a file or a pipe"))
+                                : Result<void>();
+  }
+  const std::filesystem::path file(output);
+  if (format_of_name(file) == ImageFormat::unknown) {
+    return fail(ErrorKind::unsupported, output, "pictures are written as .png, .exr or .pfm, and the name ends in none of them");
+  }
+  std::error_code ignored;
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  if (!std::filesystem::exists(folder, ignored)) {
+    return fail(ErrorKind::io, output, fmt::format("there is no folder {}", folder.string()));
+  }
+  if (std::filesystem::is_directory(file, ignored)) {
+    return fail(ErrorKind::io, output, "is a folder");
+  }
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+    return fail(ErrorKind::io, output, fmt::format("the folder {} cannot be written to: {}", folder.string(), std::strerror(errno)));
+  }
+  return {};
+}
+
+Result<void> write_stdout(const Image& color, const WriteOptions& options) {
+  const Result<std::vector<std::byte>> bytes = encode_png(color, options);
+  if (!bytes) {
+    return tl::unexpected(bytes.error());
+  }
+  return print({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+}
+
+}  // namespace
+
+std::string default_output(const std::string& argument) {
+  if (is_primitive(argument)) {
+    std::string name = argument.substr(argument.find(':') + 1);
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == ':' || c == '/'; }, '-');
+    return name + ".png";
+  }
+  return std::filesystem::path(argument).replace_extension(".png").string();
+}
+
+Result<void> check_outputs(const std::vector<std::string>& outputs) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (std::find(outputs.begin(), outputs.begin() + static_cast<std::ptrdiff_t>(i), outputs[i]) !=
+        outputs.begin() + static_cast<std::ptrdiff_t>(i)) {
+      return fail(ErrorKind::usage, "-o", fmt::format("{} is named twice", outputs[i]));
+    }
+    if (const Result<void> checked = check_output(outputs[i]); !checked) {
+      return checked;
+    }
+  }
+  return {};
+}
+
+std::string layer_file(const std::string& output, const std::string& layer) {
+  std::string name = layer;
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == ':' || c == '/' || c == '\\'; }, '-');
+  std::filesystem::path file(output);
+  const std::string extension = file.extension().string();
+  return file.replace_extension("." + name + extension).string();
+}
+
+Result<std::vector<std::string>> write_outputs(const std::vector<std::string>& outputs, const Rendering& rendering,
+                                               const WriteOptions& options) {
+  std::vector<std::string> written;
+  const auto write = [&](const std::string& file, const auto& write_file) -> Result<void> {
+    Result<void> done = write_file();
+    if (done) {
+      written.push_back(file);
+    }
+    return done;
+  };
+  for (const std::string& output : outputs) {
+    if (output == kStdout) {
+      if (const Result<void> done = write(output, [&] { return write_stdout(rendering.color, options); }); !done) {
+        return tl::unexpected(done.error());
+      }
+      continue;
+    }
+    const ImageFormat format = format_of_name(output);
+    if (format == ImageFormat::exr) {
+      if (const Result<void> done = write(output, [&] { return write_exr_layers(output, rendering.color, rendering.layers); }); !done) {
+        return tl::unexpected(done.error());
+      }
+      continue;
+    }
+    if (const Result<void> done = write(output, [&] { return write_image(output, rendering.color, options); }); !done) {
+      return tl::unexpected(done.error());
+    }
+    for (const Layer& layer : rendering.layers) {
+      const std::string file = layer_file(output, layer.name);
+      const auto write_layer = [&] {
+        // A PNG is looked at, a PFM is measured: the one shows the layer, the other holds its numbers.
+        return format == ImageFormat::png ? write_image(file, layer_preview(layer), options) : write_image(file, layer.image, options);
+      };
+      if (const Result<void> done = write(file, write_layer); !done) {
+        return tl::unexpected(done.error());
+      }
+    }
+  }
+  return written;
+}
+
+}  // namespace lustro::app

@@ -1,0 +1,30 @@
+// Where a rendering goes: the names after -o, checked before anything is drawn, and the files that they become.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lustro/image.hpp"
+#include "lustro/render.hpp"
+
+namespace lustro::app {
+
+/// `-`: a PNG on standard output.
+inline constexpr const char* kStdout = "-";
+
+/// `bunny.png` beside `models/bunny.ply`; `teapot.png` in the current folder for `primitive:teapot`.
+[[nodiscard]] std::string default_output(const std::string& argument);
+
+/// Whether all the outputs can be written, as far as can be said before drawing.
+/// errors  usage where a name is given twice, unsupported for an extension, io where a folder is missing or may not be written to
+[[nodiscard]] Result<void> check_outputs(const std::vector<std::string>& outputs);
+
+/// `out.png` and layer `light:0` make `out.light-0.png`.
+[[nodiscard]] std::string layer_file(const std::string& output, const std::string& layer);
+
+/// Writes the picture and its layers: an .exr holds all layers, .png and .pfm take one file a layer. Returns the names of what was written.
+[[nodiscard]] Result<std::vector<std::string>> write_outputs(const std::vector<std::string>& outputs, const Rendering& rendering,
+                                                             const WriteOptions& options);
+
+}  // namespace lustro::app

@@ -1,0 +1,185 @@
+// Flags from the table of options: see scene_flags.hpp.
+#include "scene_flags.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+#include "scene/fields.hpp"
+
+namespace lustro::app {
+namespace {
+
+/// What a value of that kind looks like.
+std::string value_name(const FieldInfo& field) {
+  switch (field.kind) {
+    case ValueKind::boolean:
+      return "";
+    case ValueKind::integer:
+    case ValueKind::number:
+      return "N";
+    case ValueKind::vector:
+      return "X,Y,Z";
+    case ValueKind::color:
+    case ValueKind::color_alpha:
+      return "COLOR";
+    case ValueKind::word: {
+      std::string words;
+      for (const Word& word : field.words) {
+        words += (words.empty() ? "" : "|") + std::string(word.word);
+      }
+      return words;
+    }
+    case ValueKind::terms:
+      return "LIST";
+    case ValueKind::lights:
+      return "LIGHT";
+    case ValueKind::material:
+      return "MATERIAL";
+    case ValueKind::table:
+      return field.flag == "--fog" ? "FOG" : "VALUE";
+    case ValueKind::matrix:
+    case ValueKind::text:
+    case ValueKind::objects:
+    case ValueKind::materials:
+      return "VALUE";
+  }
+  return "VALUE";
+}
+
+/// How to write a value that is not just a number or a word.
+std::string value_hint(const FieldInfo& field) {
+  switch (field.kind) {
+    case ValueKind::color:
+      return "#rrggbb, or linear r,g,b";
+    case ValueKind::color_alpha:
+      return "#rrggbb[aa], or linear r,g,b[,a]";
+    case ValueKind::lights:
+      return "\"point 2,3,4 color=#fff\", \"directional -1,-1,0\", \"spot 2,3,4 -1,-1,-1 cutoff=30 falloff=2\"; replaces the scene's lights";
+    case ValueKind::material:
+      return "a name of `lustro materials`, or coefficients: \"jade,shininess=40\", \"diffuse=#f00\"";
+    case ValueKind::table:
+      return "\"exp density=0.2 color=#abc\", \"linear start=2 end=9\", none";
+    case ValueKind::terms: {
+      std::string words;
+      for (const Word& word : field.words) {
+        words += (words.empty() ? "" : ",") + std::string(word.word);
+      }
+      return "some of " + words + ", or none";
+    }
+    default:
+      return "";
+  }
+}
+
+std::string capitalised(std::string_view text) {
+  std::string result(text);
+  if (!result.empty()) {
+    result.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(result.front())));
+  }
+  return result;
+}
+
+std::string description_of(const FieldInfo& field) {
+  std::string text = capitalised(field.kind == ValueKind::lights ? "a light" : field.help);
+  if (const std::string hint = value_hint(field); !hint.empty()) {
+    text += ": " + hint;
+  }
+  std::string facts;
+  const auto add = [&facts](std::string_view fact) {
+    if (!fact.empty()) {
+      facts += (facts.empty() ? "" : "; ") + std::string(fact);
+    }
+  };
+  add(field.unit);
+  const bool is_color = field.kind == ValueKind::color || field.kind == ValueKind::color_alpha;
+  add(is_color ? std::string() : range_text(field.range));
+  add(field.default_text.empty() ? std::string() : "default: " + field.default_text);
+  return facts.empty() ? text : fmt::format("{} ({})", text, facts);
+}
+
+std::string group_name(const FieldGroup& group) {
+  std::string_view path = group.path;
+  if (path.ends_with("[]")) {
+    path.remove_suffix(2);
+  }
+  return path.empty() ? "Scene" : capitalised(path);
+}
+
+CLI::Option* add_field(CLI::App& app, const FieldInfo& field, const std::string& group) {
+  const std::string name(field.flag);
+  CLI::Option* option = nullptr;
+  if (field.kind == ValueKind::boolean) {
+    option = app.add_flag(fmt::format("{0},!--no-{1}", name, name.substr(2)), description_of(field));
+  } else {
+    option = app.add_option(name, description_of(field))->type_name(value_name(field));
+    if (field.kind == ValueKind::lights) {
+      option->expected(1, 1 << 20)->allow_extra_args(false);  // any number of times, one light each
+    }
+  }
+  return option->group(group);
+}
+
+/// `800x600`, also `800X600` and `800,600`.
+Result<void> apply_size(Scene& scene, const std::string& text) {
+  const std::size_t split = text.find_first_of("xX,");
+  if (split == std::string::npos) {
+    return fail(ErrorKind::usage, "--size", fmt::format("`{}` is not WIDTHxHEIGHT, such as 800x600", text));
+  }
+  for (const auto& [flag, number] : {std::pair{"--width", text.substr(0, split)}, std::pair{"--height", text.substr(split + 1)}}) {
+    if (const Result<void> set = set_scene_flag(scene, flag, number); !set) {
+      return fail(set.error().kind, "--size", set.error().message);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+SceneFlags add_scene_flags(CLI::App& app) {
+  SceneFlags result;
+  for (const FieldGroup& group : field_groups()) {
+    const std::string heading = group_name(group);
+    for (const FieldInfo& field : group.fields) {
+      if (field.flag.empty()) {
+        continue;
+      }
+      if (field.flag == "--width") {
+        result.size = app.add_option("--size", "Width and height in one")->type_name("WxH")->group(heading);
+      }
+      result.flags.push_back({std::string(field.flag), add_field(app, field, heading)});
+      if (field.kind == ValueKind::lights) {
+        result.no_lights = app.add_flag("--no-lights", "No light but the scene's ambient one, as --light none")->group(heading);
+      }
+    }
+  }
+  return result;
+}
+
+Result<void> apply_scene_flags(const SceneFlags& flags, Scene& scene) {
+  if (flags.size != nullptr && flags.size->count() > 0) {
+    if (const Result<void> set = apply_size(scene, flags.size->results().back()); !set) {
+      return set;
+    }
+  }
+  if (flags.no_lights != nullptr && flags.no_lights->count() > 0) {
+    scene.lights.emplace();
+  }
+  for (const SceneFlags::Flag& flag : flags.flags) {
+    const std::vector<std::string>& values = flag.option->results();
+    if (flag.name == "--light" && !values.empty()) {
+      if (flags.no_lights->count() > 0) {
+        return fail(ErrorKind::usage, "--no-lights", "contradicts --light");
+      }
+      scene.lights.emplace();
+    }
+    for (const std::string& value : values) {
+      if (const Result<void> set = set_scene_flag(scene, flag.name, value); !set) {
+        return set;
+      }
+    }
+  }
+  return {};
+}
+
+}  // namespace lustro::app

@@ -1,0 +1,22 @@
+// From the word on the command line to a scene with its meshes: a scene file, a mesh file or a primitive, with the flags laid over it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "lustro/scene.hpp"
+#include "scene_flags.hpp"
+
+namespace lustro::app {
+
+/// Whether the argument names a primitive (`primitive:teapot`), not a file.
+[[nodiscard]] bool is_primitive(const std::string& argument);
+
+/// Whether the file is a scene: JSON by its first character, and not named as glTF. A file that cannot be read is none.
+[[nodiscard]] bool is_scene_file(const std::filesystem::path& file);
+
+/// The scene that the argument names.
+/// errors  as load_scene(); usage for a flag
+[[nodiscard]] Result<LoadedScene> load_scene_argument(const std::string& argument, const SceneFlags& flags, const LoadOptions& options);
+
+}  // namespace lustro::app
