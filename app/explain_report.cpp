@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "math/power.hpp"
 #include "report.hpp"
 #include "scene/words.hpp"
 
@@ -44,7 +45,14 @@ const char* specular_formula(Lighting lighting) {
   return "0";
 }
 
-std::string light_text(const FragmentExplanation& fragment, const LightExplanation& light) {
+/// (R.V)^n or (N.H)^n as the equation has it.
+float highlight(const FragmentExplanation& fragment, const LightExplanation& light) {
+  const float cosine = fragment.lighting == Lighting::phong ? light.r_dot_v : light.n_dot_h;
+  return light.n_dot_l > 0 ? power(std::max(cosine, 0.0F), fragment.coefficients.shininess) : 0;
+}
+
+std::string light_text(const PreparedScene& scene, const FragmentExplanation& fragment, const LightExplanation& light) {
+  const ShadingLight& shining = scene.lights[static_cast<std::size_t>(light.light)];
   std::string text = row(4, fmt::format("light {}", named(light.light, light.name)), "");
   text += row(6, "L", light.to_light, "towards the light");
   const bool is_phong = fragment.lighting == Lighting::phong;
@@ -67,16 +75,24 @@ std::string light_text(const FragmentExplanation& fragment, const LightExplanati
     scalars += fmt::format("   distance = {}", number(light.distance));
   }
   text += fmt::format("      {}{}\n", scalars, light.n_dot_l <= 0 ? "   (the light is behind the surface)" : "");
+  if (shining.ambient != Vec3f{}) {
+    text += row(6, "l_a", shining.ambient);
+  }
+  text += row(6, "l_d", shining.diffuse);
+  if (is_phong || is_blinn) {
+    text += row(6, "l_s", shining.specular);
+  }
   text += row(6, "ambient", light.ambient, "f s k_a l_a");
   text += row(6, "diffuse", light.diffuse, "f s k_d l_d max(N.L, 0)");
   if (is_phong || is_blinn) {
-    text += row(6, "specular", light.specular, fmt::format("f s k_s l_s {}", specular_formula(fragment.lighting)));
+    text += row(6, "specular", light.specular,
+                fmt::format("f s k_s l_s spec, spec = {} = {}", specular_formula(fragment.lighting), number(highlight(fragment, light))));
   }
   return text;
 }
 
-std::string shading_text(const Explanation& explanation, const FragmentExplanation& fragment, const ShadingExplanation& shading,
-                         std::size_t index) {
+std::string shading_text(const PreparedScene& scene, const Explanation& explanation, const FragmentExplanation& fragment,
+                         const ShadingExplanation& shading, std::size_t index) {
   std::string text;
   if (explanation.interpolation == Interpolation::gouraud) {
     text += row(2, fmt::format("vertex {}", index), fmt::format("weight {}", number(shading.weight)));
@@ -91,7 +107,7 @@ std::string shading_text(const Explanation& explanation, const FragmentExplanati
   text += row(4, "V", shading.to_eye, "towards the eye");
   text += row(4, "scene's ambient", shading.scene_ambient, "k_a I_a");
   for (const LightExplanation& light : shading.lights) {
-    text += light_text(fragment, light);
+    text += light_text(scene, fragment, light);
   }
   const char* clamped = explanation.interpolation == Interpolation::gouraud ? ", clamped at the vertex" : "";
   text += row(4, "sum: ambient", shading.ambient, std::string("k_a I_a + the lights'") + clamped);
@@ -100,7 +116,7 @@ std::string shading_text(const Explanation& explanation, const FragmentExplanati
   return text + row(4, "     emission", shading.emission, "k_e");
 }
 
-std::string fragment_text(const Explanation& explanation, const FragmentExplanation& fragment, std::size_t index) {
+std::string fragment_text(const PreparedScene& scene, const Explanation& explanation, const FragmentExplanation& fragment, std::size_t index) {
   const Material& k = fragment.coefficients;
   std::string text = fmt::format("\nsurface {} of {}, seen by {} of {} samples\n", index + 1, explanation.fragments.size(), fragment.samples,
                                  explanation.samples);
@@ -109,7 +125,8 @@ std::string fragment_text(const Explanation& explanation, const FragmentExplanat
   text += row(2, "barycentrics", fragment.barycentrics);
   text += row(2, "shaded at", fmt::format("{}, {} of the picture, depth {}", number(fragment.x), number(fragment.y), number(fragment.depth)));
   text += row(2, "position", fragment.position, "world");
-  text += row(2, "material", named(fragment.material, fragment.material_name), fmt::format("lighting {}", word_of(fragment.lighting)));
+  text += row(2, "material", named(fragment.material, fragment.material_name.empty() ? "(the default)" : fragment.material_name),
+              fmt::format("lighting {}", word_of(fragment.lighting)));
   text += row(2, "  k_a", k.ambient.rgb) + row(2, "  k_d", k.diffuse.rgb) + row(2, "  k_s", k.specular.rgb) + row(2, "  k_e", k.emission.rgb);
   text += row(2, "  n", number(k.shininess));
   if (fragment.lighting != Lighting::constant) {
@@ -119,7 +136,7 @@ std::string fragment_text(const Explanation& explanation, const FragmentExplanat
     text += "\n  I = k_d, unlit\n\n";
   }
   for (std::size_t i = 0; i < fragment.shadings.size(); ++i) {
-    text += shading_text(explanation, fragment, fragment.shadings[i], i);
+    text += shading_text(scene, explanation, fragment, fragment.shadings[i], i);
   }
   if (fragment.fog_factor != 1) {
     text += row(2, "fog", fragment.fog, fmt::format("the surface counts {}", number(fragment.fog_factor)));
@@ -134,12 +151,12 @@ bool terms_sum_to_color(const Explanation& e) {
   return sum == Vec3f{e.color[0], e.color[1], e.color[2]};
 }
 
-std::string explanation_text(const Scene& scene, const Explanation& e) {
+std::string explanation_text(const Scene& scene, const PreparedScene& prepared, const Explanation& e) {
   std::string text = fmt::format("pixel {}, {} of {} x {}: interpolation {}, {} {}\n", e.x, e.y, scene.image.width, scene.image.height,
                                  word_of(e.interpolation), e.samples, e.samples == 1 ? "sample" : "samples");
   int covered = 0;
   for (std::size_t i = 0; i < e.fragments.size(); ++i) {
-    text += fragment_text(e, e.fragments[i], i);
+    text += fragment_text(prepared, e, e.fragments[i], i);
     covered += e.fragments[i].samples;
   }
   if (covered < e.samples) {

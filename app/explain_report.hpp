@@ -5,11 +5,12 @@
 
 #include "json_out.hpp"
 #include "lustro/render.hpp"
+#include "scene/prepare.hpp"
 
 namespace lustro::app {
 
 /// The equation with its numbers, fragment by fragment, light by light, term by term.
-[[nodiscard]] std::string explanation_text(const Scene& scene, const Explanation& explanation);
+[[nodiscard]] std::string explanation_text(const Scene& scene, const PreparedScene& prepared, const Explanation& explanation);
 
 /// Everything that the Explanation holds.
 [[nodiscard]] Json explanation_json(const Explanation& explanation);

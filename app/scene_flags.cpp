@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 
 #include "scene/fields.hpp"
@@ -108,11 +109,12 @@ std::string group_name(const FieldGroup& group) {
 
 CLI::Option* add_field(CLI::App& app, const FieldInfo& field, const std::string& group) {
   const std::string name(field.flag);
+  const std::string description = description_of(field);  // CLI11 takes a const text for a description, anything else for a variable
   CLI::Option* option = nullptr;
   if (field.kind == ValueKind::boolean) {
-    option = app.add_flag(fmt::format("{0},!--no-{1}", name, name.substr(2)), description_of(field));
+    option = app.add_flag(fmt::format("{0},!--no-{1}", name, name.substr(2)), description);
   } else {
-    option = app.add_option(name, description_of(field))->type_name(value_name(field));
+    option = app.add_option(name, description)->type_name(value_name(field));
     if (field.kind == ValueKind::lights) {
       option->expected(1, 1 << 20)->allow_extra_args(false);  // any number of times, one light each
     }
@@ -137,6 +139,8 @@ Result<void> apply_size(Scene& scene, const std::string& text) {
 }  // namespace
 
 SceneFlags add_scene_flags(CLI::App& app) {
+  const std::string size_description = "Width and height in one";
+  const std::string no_lights_description = "No light but the scene's ambient one, as --light none";
   SceneFlags result;
   for (const FieldGroup& group : field_groups()) {
     const std::string heading = group_name(group);
@@ -145,11 +149,11 @@ SceneFlags add_scene_flags(CLI::App& app) {
         continue;
       }
       if (field.flag == "--width") {
-        result.size = app.add_option("--size", "Width and height in one")->type_name("WxH")->group(heading);
+        result.size = app.add_option("--size", size_description)->type_name("WxH")->group(heading);
       }
       result.flags.push_back({std::string(field.flag), add_field(app, field, heading)});
       if (field.kind == ValueKind::lights) {
-        result.no_lights = app.add_flag("--no-lights", "No light but the scene's ambient one, as --light none")->group(heading);
+        result.no_lights = app.add_flag("--no-lights", no_lights_description)->group(heading);
       }
     }
   }
@@ -164,6 +168,21 @@ Result<void> apply_scene_flags(const SceneFlags& flags, Scene& scene) {
   }
   if (flags.no_lights != nullptr && flags.no_lights->count() > 0) {
     scene.lights.emplace();
+  }
+  const auto is_stated = [&flags](std::string_view name) {
+    return std::any_of(flags.flags.begin(), flags.flags.end(),
+                       [&](const SceneFlags::Flag& f) { return f.name == name && f.option->count() > 0; });
+  };
+  if (is_stated("--view")) {  // a view is asked for: where the scene's own camera stands no longer counts
+    scene.camera.eye.reset();
+    scene.camera.target.reset();
+    scene.camera.up.reset();
+    scene.camera.near.reset();
+    scene.camera.far.reset();
+    scene.camera.height.reset();
+    if (is_stated("--eye")) {
+      return fail(ErrorKind::usage, "--view", "contradicts --eye");
+    }
   }
   for (const SceneFlags::Flag& flag : flags.flags) {
     const std::vector<std::string>& values = flag.option->results();

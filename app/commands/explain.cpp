@@ -25,7 +25,12 @@ Result<ExitCode> run_explain(const Session& session, const ExplainFlags& flags) 
   if (!explanation) {
     return tl::unexpected(explanation.error());
   }
-  const Result<void> printed = session.json ? print_json(explanation_json(*explanation)) : print(explanation_text(loaded->scene, *explanation));
+  const Result<PreparedScene> prepared = prepare(loaded->scene);  // for the lights' own colours in the text
+  if (!prepared) {
+    return tl::unexpected(prepared.error());
+  }
+  const Result<void> printed =
+      session.json ? print_json(explanation_json(*explanation)) : print(explanation_text(loaded->scene, *prepared, *explanation));
   if (!printed) {
     return tl::unexpected(printed.error());
   }

@@ -5,6 +5,7 @@
 #include "app/json_out.hpp"
 #include "lustro/material.hpp"
 #include "scene/material_groups.hpp"
+#include "scene/text_values.hpp"
 
 namespace lustro::app {
 namespace {
@@ -39,8 +40,8 @@ std::string list_text() {
     text += group + "\n";
     for (const Material& material : material_library()) {
       if (group_of(material) == group) {
-        text += fmt::format("  {:<16}{}  {}  {}  {:.6}\n", material.name, color_columns(material.ambient), color_columns(material.diffuse),
-                            color_columns(material.specular), material.shininess);
+        text += fmt::format("  {:<16}{}  {}  {}  {}\n", material.name, color_columns(material.ambient), color_columns(material.diffuse),
+                            color_columns(material.specular), number_text(material.shininess));
       }
     }
   }
