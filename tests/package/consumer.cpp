@@ -1,4 +1,5 @@
-// What a user's program does with an installed Lustro: makes a mesh, draws it, writes and reads the picture. Ends with 0 when all of that is right.
+// What a user's program does with an installed Lustro: makes a mesh, draws it, writes and reads the picture. Ends with 0 when all of that is
+// right.
 #include <cstdio>
 #include <filesystem>
 #include <lustro/lustro.hpp>
