@@ -94,7 +94,8 @@ struct ByteImage {
 /// errors  io, malformed, unsupported, limit: each names the file and what is wrong
 [[nodiscard]] Result<Image> read_image(const std::filesystem::path& file, Transfer transfer = Transfer::srgb);
 
-/// How two pictures differ. Both are compared as they would be stored: encoded by `transfer`, clamped to 0..1, over black.
+/// How two pictures differ. Both are compared as they would be stored: encoded by `transfer`, clamped to 0..1, over black. Gray counts as three
+/// equal channels. Alpha is a fourth channel where it is not 1 everywhere in both; FLIP looks at the colours alone.
 struct Comparison {
   double max = 0;   ///< largest absolute difference of a channel
   double mean = 0;  ///< mean absolute difference
@@ -105,6 +106,8 @@ struct Comparison {
   Image heatmap;          ///< H x W x 3, linear: FLIP error as a colour
 };
 
+/// The same result for any number of threads. A difference of exactly the tolerance is not over it (1e-6 is granted for the way through floats).
+///
 /// errors  usage where the sizes differ
 [[nodiscard]] Result<Comparison> compare_images(const Image& a, const Image& b, double tolerance = 2.0 / 255,
                                                 Transfer transfer = Transfer::srgb);
