@@ -1,0 +1,31 @@
+// Back from GLSL to C++; forgets the options of the shader.
+#undef LUSTRO_GLSL_JOIN2
+#undef LUSTRO_GLSL_JOIN
+#undef precision
+#undef layout
+#undef highp
+#undef uniform
+#undef flat
+#undef in
+#undef out
+#undef const
+#undef float
+#undef CONSTANT
+#undef LAMBERT
+#undef PHONG
+#undef BLINN_PHONG
+#undef NORMALIZED
+#undef FLAT
+#undef GOURAUD
+#undef PHONG_INTERPOLATION
+#undef PER_VERTEX
+#undef POSITION
+#undef ORTHOGRAPHIC
+#undef TWO_SIDED
+#undef AMBIENT
+#undef DIFFUSE
+#undef SPECULAR
+#undef EMISSION
+#undef FOG
+#undef SRGB
+#pragma GCC diagnostic pop
