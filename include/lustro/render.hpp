@@ -47,7 +47,7 @@ struct Aov {
 struct RenderOptions {
   int threads = 0;  ///< 0: one a core
   std::vector<Aov> aovs;
-  std::function<void(double)> progress;  ///< called with 0..1, from any thread, one call at a time
+  std::function<void(double)> progress{};  ///< called with 0..1, from any thread, one call at a time
 };
 
 struct RenderStats {
