@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "math/trig.hpp"
 #include "mesh/polygon.hpp"
@@ -52,7 +53,21 @@ Triangulator::Turn Triangulator::turn_at(std::uint32_t corner) const {
   return turn > 0 ? Turn::left : Turn::right;
 }
 
-/// Convex, and no triangle of the fan from corner 0 without area.
+/// How far the outline turns in all: 2 pi once round, whatever its dents. Nothing where it turns back on itself, left or right alike.
+std::optional<double> Triangulator::turning() const {
+  double turned = 0;
+  for (std::uint32_t i = 0; i < points_.size(); ++i) {
+    const Point &a = points_[previous_[i]], &b = points_[i], &c = points_[next_[i]];
+    const double along = (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y);
+    if (turn_[i] == Turn::straight && along <= 0) {
+      return std::nullopt;
+    }
+    turned += arctangent2(cross_at(previous_[i], i, next_[i]), along);
+  }
+  return turned;
+}
+
+/// Convex, and no triangle of the fan from corner 0 without area. The corners are known to turn once round.
 bool Triangulator::is_fan() const {
   const auto size = static_cast<std::uint32_t>(points_.size());
   if (turn_[1] != Turn::left || turn_[size - 1] != Turn::left || std::find(turn_.begin(), turn_.end(), Turn::right) != turn_.end()) {
@@ -63,15 +78,38 @@ bool Triangulator::is_fan() const {
       return false;
     }
   }
-  if (size == 4) {
-    return true;  // four left turns cannot make two rounds
+  return true;
+}
+
+/// Sorts the corners that are not convex into a grid with about two in a cell: only they can lie in an ear.
+void Triangulator::build_grid() {
+  const auto is_obstacle = [&](std::uint32_t i) { return turn_[i] != Turn::left; };
+  lower_ = upper_ = points_[0];
+  std::size_t obstacles = 0;
+  for (std::uint32_t i = 0; i < points_.size(); ++i) {
+    lower_ = {std::min(lower_.x, points_[i].x), std::min(lower_.y, points_[i].y)};
+    upper_ = {std::max(upper_.x, points_[i].x), std::max(upper_.y, points_[i].y)};
+    obstacles += is_obstacle(i) ? 1U : 0U;
   }
-  double turned = 0;
-  for (std::uint32_t i = 0; i < size; ++i) {
-    const Point &a = points_[previous_[i]], &b = points_[i], &c = points_[next_[i]];
-    turned += arctangent2(cross_at(previous_[i], i, next_[i]), (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y));
+  cells_ = static_cast<std::uint32_t>(std::clamp(std::sqrt(static_cast<double>(obstacles) / 2), 1.0, 1024.0));
+  cell_begin_.assign(std::size_t{cells_} * cells_ + 1, 0);
+  const auto cell_of = [&](std::uint32_t i) { return std::size_t{row_of(points_[i].y)} * cells_ + column_of(points_[i].x); };
+  for (std::uint32_t i = 0; i < points_.size(); ++i) {
+    cell_begin_[cell_of(i) + 1] += is_obstacle(i) ? 1U : 0U;
   }
-  return turned < 3 * kPi;
+  std::partial_sum(cell_begin_.begin(), cell_begin_.end(), cell_begin_.begin());
+  obstacles_.resize(obstacles);
+  for (auto i = static_cast<std::uint32_t>(points_.size()); i-- > 0;) {  // filled from behind: the ends move back to the begins
+    if (is_obstacle(i)) {
+      obstacles_[--cell_begin_[cell_of(i) + 1]] = i;
+    }
+  }
+  cell_begin_.erase(cell_begin_.begin());  // every end is now the begin of its own cell
+  cell_begin_.push_back(static_cast<std::uint32_t>(obstacles));
+}
+
+std::uint32_t Triangulator::cell_at(double x, double lower, double upper) const {
+  return upper > lower ? static_cast<std::uint32_t>(std::clamp((x - lower) / (upper - lower) * cells_, 0.0, cells_ - 1.0)) : 0;
 }
 
 /// Whether the triangle at the corner has no other corner inside it or within `slack` of its third side. Corners in the very place of one of
@@ -84,20 +122,21 @@ bool Triangulator::is_ear(std::uint32_t corner, double slack) {
   const double lower_y = std::min({a.y, b.y, c.y}) - slack, upper_y = std::max({a.y, b.y, c.y}) + slack;
   const double side_slack = slack * std::max(std::abs(c.x - a.x), std::abs(c.y - a.y));
   const auto in_place_of = [](const Point& p, const Point& q) { return p.x == q.x && p.y == q.y; };
-  auto place = std::lower_bound(by_x_.begin(), by_x_.end(), lower_x, [&](std::uint32_t i, double x) { return points_[i].x < x; });
-  for (; place != by_x_.end(); ++place) {
-    const std::uint32_t i = *place;
-    const Point p = points_[i];
-    if (p.x > upper_x || tests_left_ == 0) {
-      break;
-    }
-    --tests_left_;
-    if (p.y < lower_y || p.y > upper_y || next_[i] == i || turn_[i] == Turn::left || in_place_of(p, a) || in_place_of(p, b) ||
-        in_place_of(p, c)) {
-      continue;
-    }
-    if (cross_at(before, corner, i) >= 0 && cross_at(corner, after, i) >= 0 && cross_at(after, before, i) >= -side_slack) {
-      return false;
+  const std::uint32_t left = column_of(lower_x), right = column_of(upper_x);
+  for (std::uint32_t row = row_of(lower_y); row <= row_of(upper_y); ++row) {
+    const std::size_t begin = cell_begin_[std::size_t{row} * cells_ + left];
+    const std::size_t end = cell_begin_[std::size_t{row} * cells_ + right + 1];
+    tests_left_ -= std::min(tests_left_, end - begin + 1);
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::uint32_t i = obstacles_[k];
+      const Point p = points_[i];
+      if (p.x < lower_x || p.x > upper_x || p.y < lower_y || p.y > upper_y || next_[i] == i || turn_[i] == Turn::left || in_place_of(p, a) ||
+          in_place_of(p, b) || in_place_of(p, c)) {
+        continue;
+      }
+      if (cross_at(before, corner, i) >= 0 && cross_at(corner, after, i) >= 0 && cross_at(after, before, i) >= -side_slack) {
+        return false;
+      }
     }
   }
   return true;
@@ -105,14 +144,7 @@ bool Triangulator::is_ear(std::uint32_t corner, double slack) {
 
 bool Triangulator::cut_ears(std::vector<std::array<std::uint32_t, 3>>& out) {
   const auto size = static_cast<std::uint32_t>(points_.size());
-  by_x_.clear();
-  for (std::uint32_t i = 0; i < size; ++i) {
-    if (turn_[i] != Turn::left) {
-      by_x_.push_back(i);
-    }
-  }
-  std::sort(by_x_.begin(), by_x_.end(),
-            [&](std::uint32_t i, std::uint32_t j) { return points_[i].x < points_[j].x || (points_[i].x == points_[j].x && i < j); });
+  build_grid();
   tests_left_ = kTestsPerCorner * size;
 
   // What a corner must be to be cut off next. A round without a cut lets the next, weaker claim in; a cut goes back to the first.
@@ -184,8 +216,10 @@ bool Triangulator::cut(std::span<const Vec3f> polygon, std::vector<std::array<st
   for (std::uint32_t i = 0; i < size; ++i) {
     turn_[i] = turn_at(i);
   }
-  if (!is_fan()) {
-    return cut_ears(out);
+  const double turned = size == 4 ? 2 * kPi : turning().value_or(2 * kPi);  // four corners cannot turn left twice round
+  const bool turns_once = std::abs(turned - 2 * kPi) < 1;
+  if (!turns_once || !is_fan()) {
+    return cut_ears(out) && turns_once;
   }
   for (std::uint32_t i = 1; i + 1 < size; ++i) {
     out.push_back({0, i, i + 1});

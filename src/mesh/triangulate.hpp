@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,7 +30,7 @@ class Triangulator {
  public:
   /// polygon  at least 3 points, finite, object space
   /// out      gets size - 2 triangles as indices into polygon
-  /// returns  whether the polygon could be cut without triangles overlapping
+  /// returns  false where the polygon was found to cross or overlap itself, so that triangles overlap
   bool cut(std::span<const Vec3f> polygon, std::vector<std::array<std::uint32_t, 3>>& out);
 
  private:
@@ -39,7 +40,12 @@ class Triangulator {
   enum class Turn : std::uint8_t { left, straight, right };
 
   void project(std::span<const Vec3f> polygon);
+  [[nodiscard]] std::optional<double> turning() const;
   [[nodiscard]] bool is_fan() const;
+  void build_grid();
+  [[nodiscard]] std::uint32_t cell_at(double x, double lower, double upper) const;
+  [[nodiscard]] std::uint32_t column_of(double x) const { return cell_at(x, lower_.x, upper_.x); }
+  [[nodiscard]] std::uint32_t row_of(double y) const { return cell_at(y, lower_.y, upper_.y); }
   bool cut_ears(std::vector<std::array<std::uint32_t, 3>>& out);
   [[nodiscard]] Turn turn_at(std::uint32_t corner) const;
   [[nodiscard]] bool is_ear(std::uint32_t corner, double slack);
@@ -49,7 +55,10 @@ class Triangulator {
   double rounding_ = 0;  ///< a distance below which float coordinates say nothing
   std::vector<std::uint32_t> next_, previous_;
   std::vector<Turn> turn_;
-  std::vector<std::uint32_t> by_x_;  ///< corners that are not convex, from left to right: only they can lie in an ear
+  // The corners that are not convex, in a grid of cells_ x cells_ over the polygon.
+  Point lower_{}, upper_{};
+  std::uint32_t cells_ = 1;
+  std::vector<std::uint32_t> cell_begin_, obstacles_;
   std::size_t tests_left_ = 0;
 };
 

@@ -28,7 +28,7 @@ Result<void> check_length(std::size_t found, std::size_t expected, const char* s
 Result<void> check_indices(const std::vector<std::uint32_t>& indices, std::size_t size, bool may_be_none, const char* stream, const char* of) {
   for (std::size_t i = 0; i < indices.size(); ++i) {
     if (indices[i] >= size && !(may_be_none && indices[i] == kNone)) {
-      return malformed(fmt::format("{}[{}] is {}, but there {} {} {}", stream, i, indices[i], size == 1 ? "is" : "are", size, of));
+      return malformed(fmt::format("{}[{}] is {}, expected an index below {}, the number of {}", stream, i, indices[i], size, of));
     }
   }
   return {};
