@@ -1,0 +1,105 @@
+// Loads a mesh file by its content, and an OBJ's libraries from the folder beside it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "io/mesh_format.hpp"
+#include "io/obj.hpp"
+#include "io/ply.hpp"
+#include "io/read_file.hpp"
+#include "io/stl.hpp"
+#include "lustro/scene.hpp"
+
+namespace lustro {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A path as an MTL or OBJ states it, with slashes of either kind.
+fs::path path_of(std::string name) {
+  std::replace(name.begin(), name.end(), '\\', '/');
+  return fs::path(name);
+}
+
+bool is_file(const fs::path& file) {
+  std::error_code ignored;
+  return fs::is_regular_file(file, ignored);
+}
+
+// The file that `name` means, seen from a folder: as written where it is relative, else (another machine's C:\models\a.mtl, or a folder that did
+// not come along) by its last part. What is not there comes back as written.
+fs::path find_beside(const fs::path& folder, const std::string& name) {
+  const fs::path written = path_of(name);
+  const bool is_absolute = written.is_absolute() || (name.size() > 1 && name[1] == ':');
+  if (!is_absolute && is_file(folder / written)) {
+    return folder / written;
+  }
+  if (!is_absolute && is_file(folder / name)) {  // a backslash is a letter of names here
+    return folder / name;
+  }
+  const fs::path last = folder / written.filename();
+  return is_absolute || is_file(last) ? last : folder / written;
+}
+
+Result<SourceMesh> load_obj(std::string_view bytes, const fs::path& file, const LoadOptions& options) {
+  const fs::path folder = file.parent_path();
+  ObjOptions obj;
+  obj.transparency_is_tr = options.transparency_is_tr;
+  obj.read_library = [&](const std::string& name) -> Result<std::string> {
+    const Result<FileBytes> library = read_file(find_beside(folder, name));
+    if (!library) {
+      return tl::unexpected(library.error());
+    }
+    return std::string(library->view());
+  };
+  obj.has_map = [&](const std::string& library, const std::string& map) {
+    return is_file(find_beside(find_beside(folder, library).parent_path(), map));
+  };
+  return parse_obj(bytes, file.string(), obj);
+}
+
+Result<SourceMesh> load(const fs::path& file, const LoadOptions& options) {
+  const Result<FileBytes> content = read_file(file);
+  if (!content) {
+    return tl::unexpected(content.error());
+  }
+  const std::string_view bytes = content->view();
+  const std::string name = file.string();
+  MeshFormat format = format_of_content(bytes);
+  format = format == MeshFormat::unknown ? format_of_name(file) : format;
+  switch (format) {
+    case MeshFormat::obj:
+      return load_obj(bytes, file, options);
+    case MeshFormat::ply:
+      return parse_ply(bytes, name);
+    case MeshFormat::stl:
+      return parse_stl(bytes, name);
+    case MeshFormat::gltf:
+    case MeshFormat::glb:
+      return fail(ErrorKind::unsupported, name, "is a glTF file, which is not read yet: expected OBJ, PLY or STL");
+    case MeshFormat::unknown:
+      break;
+  }
+  return fail(ErrorKind::unsupported, name, fmt::format("is {}: expected OBJ, PLY or STL", describe_content(bytes)));
+}
+
+}  // namespace
+
+Result<SourceMesh> load_mesh_file(const std::filesystem::path& file, const LoadOptions& options) {
+  try {
+    return load(file, options);
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorKind::limit, file.string(), "needs more memory than there is");
+  } catch (const std::exception& problem) {  // names that the system's paths cannot hold
+    return fail(ErrorKind::io, file.string(), problem.what());
+  }
+}
+
+}  // namespace lustro

@@ -1,0 +1,120 @@
+// Marks of formats.
+#include "io/mesh_format.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <utility>
+
+#include "io/obj_statements.hpp"
+#include "io/stl.hpp"
+#include "io/text.hpp"
+
+namespace lustro {
+
+namespace {
+
+using std::string_view_literals::operator""sv;
+
+// What people hand to a mesh renderer by mistake, or in hope.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 18> kOthers{{
+    {"\x89PNG"sv, "a PNG image"},
+    {"\xFF\xD8\xFF"sv, "a JPEG image"},
+    {"GIF8"sv, "a GIF image"},
+    {"#?RADIANCE"sv, "a Radiance image"},
+    {"\x76\x2F\x31\x01"sv, "an OpenEXR image"},
+    {"PK\x03\x04"sv, "a ZIP archive (3MF, USDZ, ...)"},
+    {"\x1F\x8B"sv, "gzip-compressed data"},
+    {"Kaydara FBX"sv, "an FBX file"},
+    {"; FBX"sv, "an FBX file"},
+    {"BLENDER"sv, "a Blender file"},
+    {"DRACO"sv, "a Draco file"},
+    {"OFF"sv, "an OFF file"},
+    {"#usda"sv, "a USD file"},
+    {"PXR-USDC"sv, "a USD file"},
+    {"#VRML"sv, "a VRML file"},
+    {"# vtk DataFile"sv, "a VTK file"},
+    {"<?xml"sv, "an XML file (COLLADA, X3D, ...)"},
+    {"\x28\xB5\x2F\xFD"sv, "zstd-compressed data"},
+}};
+
+bool is_ply(std::string_view bytes) {
+  return bytes.starts_with("ply") && bytes.size() > 3 && (TextCursor::is_newline(bytes[3]) || TextCursor::is_blank(bytes[3]));
+}
+
+// JSON with an `asset` key near its start or the names of other top-level keys: not to be taken for a scene file.
+bool is_gltf(std::string_view bytes) {
+  TextCursor text(bytes, {.hash_comments = false, .joined_lines = false});
+  text.skip_space();
+  if (!text.next_is('{')) {
+    return false;
+  }
+  const auto has = [&](std::string_view key) { return bytes.find(key) != std::string_view::npos; };
+  return has("\"asset\"") && has("\"version\"");
+}
+
+bool is_obj(std::string_view bytes) {
+  TextCursor text(bytes, {.hash_comments = true, .joined_lines = true});
+  text.skip_space();
+  const std::string_view word = text.word();
+  if (!is_obj_statement(word)) {
+    return false;
+  }
+  // A letter alone is little: a number must follow `v`, `f`, ...
+  float number = 0;
+  const bool needs_number = word == "v" || word == "vt" || word == "vn" || word == "vp";
+  return !needs_number || text.number(number);
+}
+
+}  // namespace
+
+MeshFormat format_of_content(std::string_view bytes) {
+  if (bytes.starts_with("glTF")) {
+    return MeshFormat::glb;
+  }
+  if (is_ply(bytes)) {
+    return MeshFormat::ply;
+  }
+  if (has_binary_stl_size(bytes) || is_ascii_stl(bytes)) {
+    return MeshFormat::stl;
+  }
+  if (is_gltf(bytes)) {
+    return MeshFormat::gltf;
+  }
+  return is_obj(bytes) ? MeshFormat::obj : MeshFormat::unknown;
+}
+
+MeshFormat format_of_name(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+  constexpr std::array<std::pair<std::string_view, MeshFormat>, 5> kExtensions{{
+      {".obj", MeshFormat::obj},
+      {".ply", MeshFormat::ply},
+      {".stl", MeshFormat::stl},
+      {".gltf", MeshFormat::gltf},
+      {".glb", MeshFormat::glb},
+  }};
+  for (const auto& [known, format] : kExtensions) {
+    if (known == extension) {
+      return format;
+    }
+  }
+  return MeshFormat::unknown;
+}
+
+std::string describe_content(std::string_view bytes) {
+  if (bytes.empty()) {
+    return "an empty file";
+  }
+  for (const auto& [mark, name] : kOthers) {
+    if (bytes.starts_with(mark)) {
+      return std::string(name);
+    }
+  }
+  return fmt::format("a file that begins with {}", quoted(bytes.substr(0, 16)));
+}
+
+}  // namespace lustro

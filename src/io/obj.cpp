@@ -1,0 +1,442 @@
+// Reads an OBJ in one pass over its bytes. Indices are checked where they stand; what points ahead is checked at the end, by its line.
+#include "io/obj.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "io/colors.hpp"
+#include "io/limits.hpp"
+#include "io/note_book.hpp"
+#include "io/obj_materials.hpp"
+#include "io/obj_statements.hpp"
+#include "io/text.hpp"
+
+namespace lustro {
+
+namespace {
+
+constexpr std::uint32_t kNone = SourceMesh::kNone;
+
+// The corners' indices into one kind of record (v, vt or vn).
+struct IndexStream {
+  std::string_view name;
+  // Indices that point ahead, each larger than all before it: the first index outside is among them.
+  struct Ahead {
+    std::int64_t index;
+    std::size_t line;
+  };
+  std::vector<Ahead> ahead{};
+  std::int64_t farthest = 0;
+  std::size_t first_line = 0;             // where a corner names such a record first
+  std::optional<Ahead> back_into_none{};  // a negative index before the first record
+};
+
+class ObjReader {
+ public:
+  ObjReader(std::string_view bytes, const std::string& file, const ObjOptions& options)
+      : text_(bytes, {.hash_comments = true, .joined_lines = true}), file_(file), notes_(file), materials_(options) {}
+
+  Result<SourceMesh> read();
+
+ private:
+  bool read_statement(std::string_view word);
+  bool read_vertex();
+  bool read_vector(std::string_view word, int most, int least, std::array<float, 3>& numbers);
+  bool read_face();
+  bool read_corner();
+  bool read_index(IndexStream& stream, std::size_t count, std::uint32_t& index);
+  void end_face();
+  void begin_group(std::size_t face);
+  void read_group(bool is_object);
+  void read_smoothing();
+  bool read_use_material();
+  void skip_statement(std::string_view word);
+  bool check_ahead(IndexStream& stream, std::size_t count);
+  bool settle_optional(IndexStream& stream, std::size_t count, std::vector<std::uint32_t>& corners, std::string_view what);
+  bool finish();
+
+  bool error(ErrorKind kind, std::size_t line, std::string message) {
+    error_ = Error{kind, at_line(file_, line), std::move(message)};
+    return false;
+  }
+  bool malformed(std::string message) { return error(ErrorKind::malformed, text_.line(), std::move(message)); }
+  bool expected(std::string_view what) {
+    const std::string_view found = text_.word();
+    return malformed(fmt::format("expected {}, found {}", what, found.empty() ? "the end of the line" : quoted(found)));
+  }
+  template <class T>
+  bool has_room(const std::vector<T>& list, std::string_view what) {
+    return list.size() < kMostElements || error(ErrorKind::limit, text_.line(), fmt::format("more than {} {}", kMostElements, what));
+  }
+
+  TextCursor text_;
+  const std::string& file_;
+  NoteBook notes_;
+  ObjMaterials materials_;
+  SourceMesh mesh_;
+  std::optional<Error> error_;
+
+  IndexStream vertex_{.name = "vertex"};
+  IndexStream uv_{.name = "texture coordinate"};
+  IndexStream normal_{.name = "normal"};
+
+  bool has_smoothing_ = false;
+  std::uint32_t smoothing_ = 0;
+  std::map<std::string, std::uint32_t, std::less<>> smoothing_names_;
+  bool has_materials_ = false;
+  std::uint32_t material_ = kNone;
+  std::map<std::string, std::uint32_t, std::less<>> object_numbers_;
+  std::uint32_t object_ = 0;                                               // of the last o; 0 before the first
+  std::map<std::pair<std::uint32_t, std::string>, std::uint32_t> groups_;  // object and name to index into mesh_.objects
+  std::string group_name_;                                                 // of the last o or g
+  bool group_is_new_ = false;
+  std::uint32_t group_ = 0;
+
+  bool has_known_statement_ = false;
+  std::size_t first_unknown_line_ = 0;
+  std::string first_unknown_;
+};
+
+Result<SourceMesh> ObjReader::read() {
+  for (; !text_.at_end(); text_.next_line()) {
+    const std::string_view word = text_.word();
+    if (!word.empty() && !read_statement(word)) {
+      return tl::unexpected(std::move(*error_));
+    }
+  }
+  if (!finish()) {
+    return tl::unexpected(std::move(*error_));
+  }
+  return std::move(mesh_);
+}
+
+bool ObjReader::read_statement(std::string_view word) {
+  if (word == "v") {
+    return read_vertex();
+  }
+  if (word == "f" || word == "fo") {  // fo: a face outline of old versions, now the same
+    return read_face();
+  }
+  if (word == "vn") {
+    std::array<float, 3> n{};
+    if (!has_room(mesh_.normals, "normals") || !read_vector(word, 3, 3, n)) {
+      return false;
+    }
+    mesh_.normals.push_back({n[0], n[1], n[2]});
+    return true;
+  }
+  if (word == "vt") {
+    std::array<float, 3> t{};
+    if (!has_room(mesh_.uvs, "texture coordinates") || !read_vector(word, 3, 1, t)) {
+      return false;
+    }
+    mesh_.uvs.push_back({t[0], t[1]});
+    return true;
+  }
+  has_known_statement_ |= is_obj_statement(word);
+  if (word == "o" || word == "g") {
+    read_group(word == "o");
+    return true;
+  }
+  if (word == "s") {
+    read_smoothing();
+    return true;
+  }
+  if (word == "usemtl") {
+    return read_use_material();
+  }
+  if (word == "mtllib") {
+    const std::size_t line = text_.line();
+    if (Result<void> done = materials_.read_libraries(text_.rest_of_line(), line, notes_); !done) {
+      error_ = std::move(done.error());
+      return false;
+    }
+    return true;
+  }
+  skip_statement(word);
+  return true;
+}
+
+bool ObjReader::read_vertex() {
+  std::array<float, 7> numbers{};
+  std::size_t count = 0;
+  while (count < numbers.size() && !text_.at_line_end()) {
+    if (!text_.number(numbers[count])) {
+      return expected("a number of the vertex");
+    }
+    ++count;
+  }
+  if (count < 3) {
+    return malformed(fmt::format("a vertex has {} numbers, and 3 are needed", count));
+  }
+  if (!has_room(mesh_.positions, "vertices")) {
+    return false;
+  }
+  if (count == 5 || !text_.at_line_end()) {
+    notes_.add(text_.line(), "numbers of a vertex behind x y z [w] [r g b] are ignored");
+  }
+  if ((count == 4 || count == 5 || count == 7) && numbers[3] != 1) {
+    notes_.add(text_.line(), "the weight w of a vertex is ignored: it has a meaning for rational curves only");
+  }
+  if (count >= 6) {
+    const std::size_t first = count - 3;
+    mesh_.colors.resize(mesh_.positions.size(), Vec3f{1, 1, 1});
+    mesh_.colors.push_back({numbers[first], numbers[first + 1], numbers[first + 2]});
+  }
+  mesh_.positions.push_back({numbers[0], numbers[1], numbers[2]});
+  return true;
+}
+
+bool ObjReader::read_vector(std::string_view word, int most, int least, std::array<float, 3>& numbers) {
+  int count = 0;
+  for (; count < most && !text_.at_line_end(); ++count) {
+    if (!text_.number(numbers[static_cast<std::size_t>(count)])) {
+      return expected(fmt::format("a number of {}", word));
+    }
+  }
+  if (count < least) {
+    return malformed(fmt::format("{} has {} numbers, and {} are needed", word, count, least));
+  }
+  if (!text_.at_line_end()) {
+    notes_.add(text_.line(), fmt::format("numbers of {} behind the third are ignored", word));
+  }
+  return true;
+}
+
+bool ObjReader::read_face() {
+  if (!has_room(mesh_.face_begin, "faces")) {
+    return false;
+  }
+  const std::size_t line = text_.line();
+  const std::size_t begin = mesh_.corner_position.size();
+  while (!text_.at_line_end()) {
+    if (!has_room(mesh_.corner_position, "corners of faces") || !read_corner()) {
+      return false;
+    }
+  }
+  if (mesh_.corner_position.size() - begin >= 3) {
+    end_face();
+    return true;
+  }
+  mesh_.corner_position.resize(begin);
+  mesh_.corner_uv.resize(std::min(mesh_.corner_uv.size(), begin));
+  mesh_.corner_normal.resize(std::min(mesh_.corner_normal.size(), begin));
+  notes_.add(line, "faces with fewer than three corners are dropped");
+  return true;
+}
+
+// v, v/vt, v//vn, v/vt/vn; exporters also write v/, v// and v/vt/.
+bool ObjReader::read_corner() {
+  const std::size_t corner = mesh_.corner_position.size();
+  std::uint32_t index = 0;
+  if (!read_index(vertex_, mesh_.positions.size(), index)) {
+    return false;
+  }
+  mesh_.corner_position.push_back(index);
+  for (const bool is_normal : {false, true}) {
+    if (!text_.take('/')) {
+      break;
+    }
+    if (text_.at_word_end() || (!is_normal && text_.next_is('/'))) {
+      continue;
+    }
+    if (!read_index(is_normal ? normal_ : uv_, is_normal ? mesh_.normals.size() : mesh_.uvs.size(), index)) {
+      return false;
+    }
+    std::vector<std::uint32_t>& corners = is_normal ? mesh_.corner_normal : mesh_.corner_uv;
+    corners.resize(corner, kNone);
+    corners.push_back(index);
+  }
+  return text_.at_word_end() || text_.at_line_end() || expected("v, v/vt, v//vn or v/vt/vn");
+}
+
+// An index of OBJ (from 1; negative: back from the last record) becomes one of ours.
+bool ObjReader::read_index(IndexStream& stream, std::size_t count, std::uint32_t& index) {
+  std::int64_t written = 0;
+  if (!text_.integer(written, '/')) {
+    return expected(fmt::format("a {} index", stream.name));
+  }
+  stream.first_line = stream.first_line == 0 ? text_.line() : stream.first_line;
+  const auto records = static_cast<std::int64_t>(count);
+  if (written > 0) {
+    if (written > records && written > stream.farthest) {
+      stream.farthest = written;
+      stream.ahead.push_back({written, text_.line()});
+    }
+    index = static_cast<std::uint32_t>(std::min(written - 1, std::int64_t{kNone} - 1));
+    return true;
+  }
+  if (written < 0 && -written <= records) {
+    index = static_cast<std::uint32_t>(records + written);
+    return true;
+  }
+  if (written < 0 && records == 0 && &stream != &vertex_) {  // right only if there is no such record at all
+    stream.back_into_none = stream.back_into_none.value_or(IndexStream::Ahead{written, text_.line()});
+    index = kNone;
+    return true;
+  }
+  if (written == 0) {
+    return malformed(fmt::format("{} index 0: indices count from 1", stream.name));
+  }
+  return malformed(records == 0 ? fmt::format("{} index {} counts back from the first record", stream.name, written)
+                                : fmt::format("{} index {} is outside -{}..-1", stream.name, written, records));
+}
+
+void ObjReader::end_face() {
+  const std::size_t face = mesh_.face_count();
+  mesh_.face_begin.push_back(static_cast<std::uint32_t>(mesh_.corner_position.size()));
+  if (has_smoothing_) {
+    mesh_.face_smoothing.resize(face, 0);
+    mesh_.face_smoothing.push_back(smoothing_);
+  }
+  if (has_materials_) {
+    mesh_.face_material.resize(face, kNone);
+    mesh_.face_material.push_back(material_);
+  }
+  if (group_is_new_) {
+    begin_group(face);
+  }
+  if (!groups_.empty()) {
+    mesh_.face_object.push_back(group_);
+  }
+}
+
+// Groups are listed with their first face, so that empty ones are not.
+void ObjReader::begin_group(std::size_t face) {
+  if (groups_.empty() && face > 0) {
+    groups_.emplace(std::pair(0U, std::string("default")), 0U);
+    mesh_.objects.emplace_back("default");
+    mesh_.face_object.resize(face, 0);
+  }
+  const auto [known, is_new] = groups_.emplace(std::pair(object_, group_name_), static_cast<std::uint32_t>(mesh_.objects.size()));
+  if (is_new) {
+    mesh_.objects.push_back(group_name_);
+  }
+  group_ = known->second;
+  group_is_new_ = false;
+}
+
+void ObjReader::read_group(bool is_object) {
+  group_name_ = to_utf8(text_.rest_of_line());
+  group_name_ = group_name_.empty() ? "default" : std::move(group_name_);
+  group_is_new_ = true;
+  if (is_object) {
+    object_ = object_numbers_.emplace(group_name_, static_cast<std::uint32_t>(object_numbers_.size() + 1)).first->second;
+  }
+}
+
+void ObjReader::read_smoothing() {
+  constexpr std::uint32_t kFirstNamed = 0x80000000U;
+  const std::size_t line = text_.line();
+  std::int64_t number = 0;
+  const bool is_number = text_.integer(number);
+  if (is_number && number >= 0 && number < kFirstNamed) {
+    smoothing_ = static_cast<std::uint32_t>(number);
+  } else {
+    const std::string name = is_number ? std::to_string(number) : text_.rest_of_line();
+    if (name.empty()) {
+      notes_.add(line, "s names no smoothing group and is ignored");
+      return;
+    }
+    const auto next = kFirstNamed + static_cast<std::uint32_t>(smoothing_names_.size());
+    smoothing_ = name == "off" ? 0 : smoothing_names_.emplace(name, next).first->second;
+  }
+  has_smoothing_ = true;
+}
+
+bool ObjReader::read_use_material() {
+  const std::size_t line = text_.line();
+  std::string name = to_utf8(text_.rest_of_line());
+  has_materials_ = true;
+  if (name.empty()) {
+    material_ = kNone;
+    notes_.add(line, "usemtl names no material: the default one is used");
+    return true;
+  }
+  material_ = materials_.number(std::move(name), line);
+  return materials_.size() <= kMostMaterials || error(ErrorKind::limit, line, fmt::format("more than {} materials", kMostMaterials));
+}
+
+void ObjReader::skip_statement(std::string_view word) {
+  const std::string_view note = note_of_skipped_obj_statement(word);
+  if (!note.empty()) {
+    notes_.add(text_.line(), note);
+    return;
+  }
+  if (first_unknown_line_ == 0) {
+    first_unknown_line_ = text_.line();
+    first_unknown_ = quoted(word);
+  }
+  notes_.add(text_.line(), fmt::format("unknown statement {} is skipped", quoted(word)));
+}
+
+bool ObjReader::check_ahead(IndexStream& stream, std::size_t count) {
+  const auto records = static_cast<std::int64_t>(count);
+  for (const IndexStream::Ahead& ahead : stream.ahead) {
+    if (ahead.index > records) {
+      return error(ErrorKind::malformed, ahead.line,
+                   records == 0 ? fmt::format("{} index {}, but the file has no such record", stream.name, ahead.index)
+                                : fmt::format("{} index {} is outside 1..{}", stream.name, ahead.index, records));
+    }
+  }
+  if (stream.back_into_none) {
+    return error(ErrorKind::malformed, stream.back_into_none->line,
+                 fmt::format("{} index {} counts back from the first record", stream.name, stream.back_into_none->index));
+  }
+  return true;
+}
+
+// Exporters that were told to leave normals out still name them in their faces.
+bool ObjReader::settle_optional(IndexStream& stream, std::size_t count, std::vector<std::uint32_t>& corners, std::string_view what) {
+  if (count == 0 && stream.first_line != 0) {
+    corners.clear();
+    notes_.add(stream.first_line, fmt::format("faces name {}s, but the file has no {} record: they are as not named", stream.name, what));
+    return true;
+  }
+  if (!corners.empty()) {
+    corners.resize(mesh_.corner_position.size(), kNone);
+  }
+  return check_ahead(stream, count);
+}
+
+bool ObjReader::finish() {
+  const bool is_bare = mesh_.positions.empty() && mesh_.normals.empty() && mesh_.uvs.empty() && !has_known_statement_;
+  if (is_bare && first_unknown_line_ != 0) {  // not a mesh without faces, but something else under the name of one
+    return error(ErrorKind::malformed, first_unknown_line_, fmt::format("expected an OBJ statement, found {}", first_unknown_));
+  }
+  if (!check_ahead(vertex_, mesh_.positions.size()) || !settle_optional(uv_, mesh_.uvs.size(), mesh_.corner_uv, "vt") ||
+      !settle_optional(normal_, mesh_.normals.size(), mesh_.corner_normal, "vn")) {
+    return false;
+  }
+  if (!mesh_.colors.empty()) {
+    mesh_.colors.resize(mesh_.positions.size(), Vec3f{1, 1, 1});
+    settle_colors(mesh_.colors, "vertex", notes_);
+  }
+  Notes library_notes;
+  mesh_.materials = materials_.take(notes_, library_notes);
+  mesh_.format = "OBJ";
+  mesh_.notes = notes_.notes();
+  mesh_.notes.insert(mesh_.notes.end(), library_notes.begin(), library_notes.end());
+  return true;
+}
+
+}  // namespace
+
+Result<SourceMesh> parse_obj(std::string_view bytes, const std::string& file, const ObjOptions& options) {
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
+    return fail(ErrorKind::unsupported, file, "is UTF-16 text: expected UTF-8 or ASCII");
+  }
+  return ObjReader(bytes, file, options).read();
+}
+
+}  // namespace lustro
