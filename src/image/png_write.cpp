@@ -1,12 +1,11 @@
-// The PNG writer. The container is five chunks; libdeflate compresses three times as fast as zlib at the same size, and takes the image whole.
-// The filter is Paeth in every row (PNG 3rd edition, 9.4): the smallest files on shaded surfaces, and a fixed choice keeps the bytes a function
-// of the pixels alone.
+// The PNG writer. The container is five chunks; libdeflate compresses about three times as fast as zlib at the same size, and takes the image
+// whole. The filter is Sub in every row (PNG 3rd edition, 9.2): on shaded surfaces it comes within a few percent of the best choice, and a fixed
+// choice keeps the bytes a function of the pixels alone.
 #include <libdeflate.h>
 
+#include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <memory>
 
@@ -71,31 +70,18 @@ std::vector<std::uint8_t> samples(const Image& image, const WriteOptions& option
   return bytes;
 }
 
-/// The neighbour (left, up, up-left) that lies nearest to left + up - up-left; ties in this order.
-std::uint8_t paeth(int left, int up, int corner) {
-  const int to_left = std::abs(up - corner);
-  const int to_up = std::abs(left - corner);
-  const int to_corner = std::abs(left + up - 2 * corner);
-  const int near = to_up <= to_corner ? up : corner;
-  return static_cast<std::uint8_t>(to_left <= to_up && to_left <= to_corner ? left : near);
-}
-
-/// Every row with its filter byte before it. `step` is the distance of the left neighbour in bytes.
+/// Every row with its filter byte before it: the difference from the same channel of the left neighbour, `step` bytes back.
 std::vector<std::uint8_t> filtered(const std::vector<std::uint8_t>& raw, std::size_t row_length, std::size_t step) {
-  constexpr std::uint8_t kPaeth = 4;
+  constexpr std::uint8_t kSub = 1;
   const std::size_t rows = raw.size() / row_length;
   std::vector<std::uint8_t> out(rows * (row_length + 1));
-  const std::vector<std::uint8_t> zeros(row_length);
   parallel_for(rows, 0, [&](std::size_t y) {
-    const std::uint8_t* now = &raw[y * row_length];
-    const std::uint8_t* above = y == 0 ? zeros.data() : now - row_length;
+    const std::uint8_t* from = &raw[y * row_length];
     std::uint8_t* to = &out[y * (row_length + 1)];
-    *to++ = kPaeth;
-    for (std::size_t i = 0; i < step; ++i) {
-      to[i] = static_cast<std::uint8_t>(now[i] - above[i]);  // left and corner are 0, so Paeth is `up`
-    }
+    *to++ = kSub;
+    std::copy_n(from, step, to);
     for (std::size_t i = step; i < row_length; ++i) {
-      to[i] = static_cast<std::uint8_t>(now[i] - paeth(now[i - step], above[i], above[i - step]));
+      to[i] = static_cast<std::uint8_t>(from[i] - from[i - step]);
     }
   });
   return out;
