@@ -9,7 +9,7 @@ set(LUSTRO_GENERATED_DIR ${PROJECT_BINARY_DIR}/generated)
 target_include_directories(lustro PRIVATE ${LUSTRO_GENERATED_DIR})
 
 function(lustro_embed converter file out)
-  set(input ${PROJECT_SOURCE_DIR}/${file})
+  cmake_path(ABSOLUTE_PATH file BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE input)
   set(output ${LUSTRO_GENERATED_DIR}/${out})
   set(script ${PROJECT_SOURCE_DIR}/cmake/${converter})
   add_custom_command(OUTPUT ${output} COMMAND ${CMAKE_COMMAND} -D INPUT=${input} -D OUTPUT=${output} -P ${script}
@@ -27,3 +27,4 @@ function(lustro_embed_obj file out)
 endfunction()
 
 lustro_embed_obj(assets/utah_teapot/utah_teapot.obj mesh/teapot.inc)
+include(LustroEmbedFont)
