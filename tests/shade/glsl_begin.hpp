@@ -2,6 +2,9 @@
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wshadow"
 #pragma GCC diagnostic ignored "-Wunused-parameter"
+#ifdef __clang__
+#pragma clang diagnostic ignored "-Wkeyword-macro"
+#endif
 #define LUSTRO_GLSL_JOIN2(a, b) a##b
 #define LUSTRO_GLSL_JOIN(a, b) LUSTRO_GLSL_JOIN2(a, b)
 #define precision using LUSTRO_GLSL_JOIN(Precision, __LINE__) =

@@ -15,6 +15,7 @@ class RandomSurface {
   /// 0 <= x < 1
   float unit() { return static_cast<float>(bits_() >> 8) * 0x1p-24F; }
   float between(float low, float high) { return low + (high - low) * unit(); }
+  double wide(float low, float high) { return static_cast<double>(between(low, high)); }
   bool chance(float share) { return unit() < share; }
   std::size_t below(std::size_t n) { return bits_() % n; }
 
@@ -69,15 +70,15 @@ class RandomSurface {
       constexpr double kPowers[] = {0, 0.5, 1, 1.7, 2, 3};
       out.attenuation.falloff = kPowers[below(6)];
     } else if (chance(0.8F)) {
-      out.attenuation.constant = between(0.1F, 2);
-      out.attenuation.linear = between(0, 0.5F);
-      out.attenuation.quadratic = between(0, 0.3F);
+      out.attenuation.constant = wide(0.1F, 2);
+      out.attenuation.linear = wide(0, 0.5F);
+      out.attenuation.quadratic = wide(0, 0.3F);
     }
-    out.cutoff = between(10, 90);
+    out.cutoff = wide(10, 90);
     if (chance(0.5F)) {
       out.beam = out.cutoff * 0.9 * static_cast<double>(unit());
     }
-    out.exponent = exponent(60, 128);
+    out.exponent = static_cast<double>(exponent(60, 128));
     return out;
   }
 
