@@ -1,0 +1,23 @@
+// The independent judge, part two: the equation of docs/using/scene-file.md at one point, in double precision and with the C library's pow and
+// exp. It shares no line with src/.
+#pragma once
+
+#include "truth/world.hpp"
+
+namespace lustro::truth {
+
+/// What a pixel should show.
+struct Seen {
+  Vec3d color;  ///< linear, premultiplied
+  double alpha = 1;
+  Vec3d position;  ///< world
+  Vec3d normal;    ///< the normal that was lit; for `gouraud` 0
+};
+
+/// What the pixel whose centre is (x, y) shows of `hit`, or the background.
+[[nodiscard]] Seen see(const Scene& scene, const World& world, double x, double y, const Hit& hit);
+
+/// The value between 0 and 1 that is stored for a linear value.
+[[nodiscard]] double stored(double linear, Transfer transfer);
+
+}  // namespace lustro::truth
