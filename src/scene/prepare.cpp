@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "image/srgb.hpp"
 #include "math/trig.hpp"
@@ -93,14 +94,6 @@ AffineRows to_rows(const std::array<Vec3d, 3>& rows, const Vec3d& translation) {
 
 // The matrices of one object. The cofactor matrix is the inverse transpose times the determinant; only its direction matters.
 Result<void> place(Instance& instance, const Mat4& m, const View& view, const std::string& where) {
-  for (double value : m.m) {
-    if (!std::isfinite(value)) {
-      return fail(ErrorKind::usage, where + ".matrix", "holds a number that is not finite");
-    }
-  }
-  if (m(3, 0) != 0 || m(3, 1) != 0 || m(3, 2) != 0 || m(3, 3) != 1) {
-    return fail(ErrorKind::usage, where + ".matrix", "the last row must be 0, 0, 0, 1");
-  }
   const std::array<Vec3d, 3> rows{Vec3d{m(0, 0), m(0, 1), m(0, 2)}, Vec3d{m(1, 0), m(1, 1), m(1, 2)}, Vec3d{m(2, 0), m(2, 1), m(2, 2)}};
   const Vec3d translation = Vec3d{m(0, 3), m(1, 3), m(2, 3)} - view.eye;
 
@@ -132,19 +125,39 @@ Result<void> place(Instance& instance, const Mat4& m, const View& view, const st
   return {};
 }
 
-Bounds world_bounds(const Scene& scene) {
-  Bounds bounds;
+// The reach of all vertices that triangles use: exact, and the same in every order.
+void reach_of(const Scene& scene, std::span<const Vec3d> directions, std::span<double> reach) {
+  std::fill(reach.begin(), reach.end(), -std::numeric_limits<double>::infinity());
   for (const Object& object : scene.objects) {
-    const Bounds b = object.mesh ? object.mesh->bounds() : Bounds{};
-    if (b.is_empty()) {
+    if (!object.mesh) {
       continue;
     }
-    for (unsigned i = 0; i < 8; ++i) {
-      bounds.include(transform_point(
-          object.matrix, {(i & 1U) != 0 ? b.upper.x : b.lower.x, (i & 2U) != 0 ? b.upper.y : b.lower.y, (i & 4U) != 0 ? b.upper.z : b.lower.z}));
+    const Mat4& m = object.matrix;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      const Vec3d& d = directions[i];  // dot(d, M p) = dot(M^T d, p)
+      const Vec3d local{(m(0, 0) * d.x + m(1, 0) * d.y) + m(2, 0) * d.z, (m(0, 1) * d.x + m(1, 1) * d.y) + m(2, 1) * d.z,
+                        (m(0, 2) * d.x + m(1, 2) * d.y) + m(2, 2) * d.z};
+      const double offset = (m(0, 3) * d.x + m(1, 3) * d.y) + m(2, 3) * d.z;
+      double farthest = -std::numeric_limits<double>::infinity();
+      for (const auto& triangle : object.mesh->triangles) {
+        for (const std::uint32_t vertex : triangle) {
+          farthest = std::max(farthest, dot(local, vec_cast<double>(object.mesh->positions[vertex])));
+        }
+      }
+      reach[i] = std::max(reach[i], farthest + offset);
     }
   }
-  return bounds;
+}
+
+Extent extent_of(const Scene& scene) {
+  Extent extent;
+  constexpr std::array kAxes{Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}, Vec3d{-1, 0, 0}, Vec3d{0, -1, 0}, Vec3d{0, 0, -1}};
+  std::array<double, 6> reach{};
+  reach_of(scene, kAxes, reach);
+  extent.bounds.upper = {reach[0], reach[1], reach[2]};
+  extent.bounds.lower = {-reach[3], -reach[4], -reach[5]};
+  extent.reach = [&scene](std::span<const Vec3d> directions, std::span<double> out) { reach_of(scene, directions, out); };
+  return extent;
 }
 
 // A hand-built mesh is checked before anything reads through its indices.
@@ -154,6 +167,9 @@ Result<void> check_mesh(const Mesh& mesh, const std::string& where) {
   if (!fits(mesh.normals.size()) || !fits(mesh.uvs.size()) || !fits(mesh.colors.size())) {
     return fail(ErrorKind::usage, where,
                 fmt::format("normals, uvs and colors must be empty or have one entry for each of the {} positions", vertices));
+  }
+  if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), [](const Vec3f& p) { return is_finite(p); })) {
+    return fail(ErrorKind::usage, where, "has a position that is not finite");
   }
   for (const auto& t : mesh.triangles) {
     if (std::max({t[0], t[1], t[2]}) >= vertices) {
@@ -176,12 +192,6 @@ Result<void> add_object(PreparedScene& prepared, const Scene& scene, std::size_t
   const Object& object = scene.objects[index];
   const std::string where = fmt::format("objects[{}]", index);
   prepared.object_names.push_back(!object.name.empty() ? object.name : object.source);
-  if (!object.mesh) {
-    return fail(ErrorKind::usage, where, object.source.empty() ? "has no mesh" : fmt::format("its mesh \"{}\" is not loaded", object.source));
-  }
-  if (auto checked = check_mesh(*object.mesh, where + ".mesh"); !checked) {
-    return checked;
-  }
   Instance instance;
   instance.mesh = object.mesh;
   instance.object = static_cast<std::uint32_t>(index);
@@ -216,6 +226,28 @@ Result<void> add_object(PreparedScene& prepared, const Scene& scene, std::size_t
   return {};
 }
 
+// Objects have meshes, meshes are sound, matrices are affine and finite: whatever follows may rely on it.
+Result<void> check_objects(const Scene& scene) {
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
+    const std::string where = fmt::format("objects[{}]", i);
+    if (!object.mesh) {
+      return fail(ErrorKind::usage, where, object.source.empty() ? "has no mesh" : fmt::format("its mesh \"{}\" is not loaded", object.source));
+    }
+    if (auto checked = check_mesh(*object.mesh, where + ".mesh"); !checked) {
+      return checked;
+    }
+    const Mat4& m = object.matrix;
+    if (!std::all_of(m.m.begin(), m.m.end(), [](double value) { return std::isfinite(value); })) {
+      return fail(ErrorKind::usage, where + ".matrix", "holds a number that is not finite");
+    }
+    if (m(3, 0) != 0 || m(3, 1) != 0 || m(3, 2) != 0 || m(3, 3) != 1) {
+      return fail(ErrorKind::usage, where + ".matrix", "the last row must be 0, 0, 0, 1");
+    }
+  }
+  return {};
+}
+
 Result<void> check_image(const ImageSettings& image) {
   if (image.width < 1 || image.height < 1 || image.width > 16384 || image.height > 16384) {
     return fail(ErrorKind::usage, "image", fmt::format("the size {} x {} is outside 1..16384", image.width, image.height));
@@ -232,10 +264,13 @@ Result<PreparedScene> prepare(const Scene& scene) {
   if (auto checked = check_image(scene.image); !checked) {
     return tl::unexpected(checked.error());
   }
+  if (auto checked = check_objects(scene); !checked) {
+    return tl::unexpected(checked.error());
+  }
   PreparedScene prepared;
   prepared.shading = scene.shading;
   prepared.transfer = scene.image.transfer;
-  auto view = make_view(scene.camera, scene.image, world_bounds(scene));
+  auto view = make_view(scene.camera, scene.image, extent_of(scene));
   if (!view) {
     return tl::unexpected(view.error());
   }

@@ -9,7 +9,7 @@
 namespace lustro {
 namespace {
 
-constexpr double kMargin = 1.04;  // the framed object leaves 2 % of the image free on each side
+constexpr double kMargin = 1.04;  // the framed scene leaves 2 % of the image free on each side
 
 // The way from the target to the eye, and which way is up, for a named view.
 struct Direction {
@@ -38,32 +38,21 @@ Direction preset(ViewPreset view) {
   return {{0, 0, 1}, y};
 }
 
-std::array<Vec3d, 8> corners(const Bounds& bounds) {
-  std::array<Vec3d, 8> result;
-  for (std::size_t i = 0; i < 8; ++i) {
-    result[i] = {(i & 1U) != 0 ? bounds.upper.x : bounds.lower.x, (i & 2U) != 0 ? bounds.upper.y : bounds.lower.y,
-                 (i & 4U) != 0 ? bounds.upper.z : bounds.lower.z};
-  }
-  return result;
-}
-
-// The smallest and largest distance of the bounds along the view direction.
+// The smallest and largest distance of the scene along the view direction.
 struct DepthRange {
   double nearest, farthest;
 };
-DepthRange depth_range(const View& view, const Bounds& bounds) {
-  DepthRange range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const Vec3d& corner : corners(bounds)) {
-    const double depth = dot(corner - view.eye, view.forward);
-    range.nearest = std::min(range.nearest, depth);
-    range.farthest = std::max(range.farthest, depth);
-  }
-  return range;
+DepthRange depth_range(const View& view, const Extent& extent) {
+  const std::array directions{-view.forward, view.forward};
+  std::array<double, 2> reach{};
+  extent.reach(directions, reach);
+  const double eye = dot(view.eye, view.forward);
+  return {-reach[0] - eye, reach[1] - eye};
 }
 
 // Near and far planes that hold the bounds, unless the camera states them.
-Result<void> choose_depths(View& view, const Camera& camera, const Bounds& bounds) {
-  const DepthRange range = depth_range(view, bounds);
+Result<void> choose_depths(View& view, const Camera& camera, const Extent& extent) {
+  const DepthRange range = depth_range(view, extent);
   const double size = std::max(range.farthest - range.nearest, 1e-6 * std::max(std::abs(range.farthest), std::abs(range.nearest)));
   const double slack = size > 0 ? 0.01 * size : 1;
   view.far = camera.far.value_or(std::max(range.farthest + slack, camera.near.value_or(0) + slack));
@@ -86,23 +75,42 @@ Result<void> choose_depths(View& view, const Camera& camera, const Bounds& bound
   return {};
 }
 
-// How far the eye must stand from the target (perspective), or how high the image must be (orthographic), to show the bounds.
-double distance_to_frame(const View& view, const Bounds& bounds, double tan_x, double tan_y) {
-  double distance = 0;
-  for (const Vec3d& corner : corners(bounds)) {
-    const Vec3d p = corner - view.target;
-    const double toward_eye = -dot(p, view.forward);
-    distance = std::max(distance, toward_eye + kMargin * std::max(std::abs(dot(p, view.right)) / tan_x, std::abs(dot(p, view.up)) / tan_y));
+// The smallest pyramid (perspective) or prism (orthographic) along the view axes that holds the scene: with slope t, a point is inside where
+// |x - cx| <= t (d - z), z towards the eye. So d and cx follow from the reach of x + t z and of -x + t z. Exact for every set of points.
+struct Framing {
+  Vec3d shift;      // of the target, to the middle
+  double distance;  // of the eye from the shifted target, perspective
+  double height;    // of the image, orthographic
+};
+Framing frame(const View& view, const Extent& extent, double tan_x, double tan_y, double aspect, bool may_shift) {
+  const bool is_perspective = view.projection == Projection::perspective;
+  const double tx = is_perspective ? tan_x / kMargin : 0;
+  const double ty = is_perspective ? tan_y / kMargin : 0;
+  const Vec3d toward_eye = -view.forward;
+  const std::array directions{view.right + toward_eye * tx, -view.right + toward_eye * tx, view.up + toward_eye * ty, -view.up + toward_eye * ty,
+                              toward_eye};
+  std::array<double, 5> reach{};
+  extent.reach(directions, reach);
+  for (std::size_t i = 0; i < 5; ++i) {
+    reach[i] -= dot(directions[i], view.target);
   }
-  return distance > 0 ? distance : 1;
-}
-double height_to_frame(const View& view, const Bounds& bounds, double aspect) {
-  double height = 0;
-  for (const Vec3d& corner : corners(bounds)) {
-    const Vec3d p = corner - view.target;
-    height = std::max(height, 2 * kMargin * std::max(std::abs(dot(p, view.right)) / aspect, std::abs(dot(p, view.up))));
+  Framing framing{};
+  if (may_shift) {
+    framing.shift = view.right * ((reach[0] - reach[1]) / 2) + view.up * ((reach[2] - reach[3]) / 2);
+    reach[0] = reach[1] = (reach[0] + reach[1]) / 2;
+    reach[2] = reach[3] = (reach[2] + reach[3]) / 2;
   }
-  return height > 0 ? height : 1;
+  const double half_width = std::max(reach[0], reach[1]);
+  const double half_height = std::max(reach[2], reach[3]);
+  if (is_perspective) {
+    framing.distance = std::max({half_width / tx, half_height / ty, reach[4] * 1.02});
+  } else {
+    framing.height = 2 * kMargin * std::max(half_width / aspect, half_height);
+    framing.distance = reach[4] + framing.height;  // outside the scene, so that point lights' V and fog look as one expects
+  }
+  framing.distance = framing.distance > 0 ? framing.distance : 1;
+  framing.height = framing.height > 0 ? framing.height : 1;
+  return framing;
 }
 
 Result<void> choose_axes(View& view, const Camera& camera, const Vec3d& to_target, const Vec3d& default_up) {
@@ -128,11 +136,21 @@ Result<void> choose_axes(View& view, const Camera& camera, const Vec3d& to_targe
 
 }  // namespace
 
-Result<View> make_view(const Camera& camera, const ImageSettings& image, const Bounds& world_bounds) {
-  Bounds bounds = world_bounds;
-  if (bounds.is_empty()) {
-    bounds.include({0, 0, 0});
-  }
+Extent extent_of(const Bounds& bounds) {
+  return {bounds, [bounds](std::span<const Vec3d> directions, std::span<double> reach) {
+            for (std::size_t i = 0; i < directions.size(); ++i) {
+              const Vec3d& d = directions[i];
+              reach[i] = dot(d, Vec3d{d.x > 0 ? bounds.upper.x : bounds.lower.x, d.y > 0 ? bounds.upper.y : bounds.lower.y,
+                                      d.z > 0 ? bounds.upper.z : bounds.lower.z});
+            }
+          }};
+}
+
+Result<View> make_view(const Camera& camera, const ImageSettings& image, const Extent& scene_extent) {
+  Bounds origin;
+  origin.include({0, 0, 0});
+  const Extent extent = scene_extent.bounds.is_empty() ? extent_of(origin) : scene_extent;
+
   View view;
   view.width = image.width;
   view.height = image.height;
@@ -141,26 +159,17 @@ Result<View> make_view(const Camera& camera, const ImageSettings& image, const B
   const double aspect = static_cast<double>(image.width) / image.height;
   const double tan_y = tangent(radians(camera.fov) / 2);
 
-  view.target = camera.target.value_or(bounds.center());
+  view.target = camera.target.value_or(extent.bounds.center());
   const Direction direction = preset(camera.view);
   const Vec3d to_target = camera.eye ? view.target - *camera.eye : -direction.to_eye;
   if (auto axes = choose_axes(view, camera, to_target, camera.eye ? Vec3d{0, 1, 0} : direction.up); !axes) {
     return tl::unexpected(axes.error());
   }
-
-  double height = camera.height.value_or(0);
-  if (!camera.height) {
-    height = height_to_frame(view, bounds, aspect);
-  }
-  if (camera.eye) {
-    view.eye = *camera.eye;
-  } else {
-    // An orthographic eye may stand anywhere on its axis; outside the bounds it serves point-light distances and fog like a perspective one.
-    const double distance = distance_to_frame(view, bounds, view.projection == Projection::perspective ? tan_y * aspect : 0.5 * aspect,
-                                              view.projection == Projection::perspective ? tan_y : 0.5);
-    view.eye = view.target - view.forward * distance;
-  }
-  if (auto depths = choose_depths(view, camera, bounds); !depths) {
+  const Framing framing = frame(view, extent, tan_y * aspect, tan_y, aspect, !camera.eye && !camera.target);
+  view.target = view.target + framing.shift;
+  view.eye = camera.eye ? *camera.eye : view.target - view.forward * framing.distance;
+  const double height = camera.height.value_or(framing.height);
+  if (auto depths = choose_depths(view, camera, extent); !depths) {
     return tl::unexpected(depths.error());
   }
 

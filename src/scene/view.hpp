@@ -2,6 +2,9 @@
 // far from the origin loses no digits; the renderers read the float members.
 #pragma once
 
+#include <functional>
+#include <span>
+
 #include "lustro/mesh.hpp"
 #include "lustro/result.hpp"
 #include "lustro/scene.hpp"
@@ -46,9 +49,19 @@ struct View {
   }
 };
 
-/// The camera with all that it leaves open chosen so that `bounds` (world) fills the image with a small margin.
+/// What a camera frames: the scene's reach, the largest dot(direction, p) over all its points p (world), for several directions at once. A
+/// maximum does not depend on the order of points.
+struct Extent {
+  Bounds bounds;  ///< world; empty: there is nothing to frame
+  std::function<void(std::span<const Vec3d> directions, std::span<double> reach)> reach;
+};
+
+/// The extent of a box.
+[[nodiscard]] Extent extent_of(const Bounds& bounds);
+
+/// The camera with all that it leaves open chosen so that the scene fills the image with a small margin.
 /// errors  usage where eye and target coincide, up is parallel to the view, near >= far, or a number is out of range
-[[nodiscard]] Result<View> make_view(const Camera& camera, const ImageSettings& image, const Bounds& bounds);
+[[nodiscard]] Result<View> make_view(const Camera& camera, const ImageSettings& image, const Extent& extent);
 
 /// The light of a scene without `lights`: key, fill and rim, fixed to the camera.
 [[nodiscard]] std::vector<Light> default_rig(const View& view);
