@@ -9,7 +9,7 @@
 namespace lustro {
 namespace {
 
-constexpr double kMargin = 1.04;  // the framed scene leaves 2 % of the image free on each side
+constexpr double kMargin = 1.08;  // the framed scene leaves 4 % of the image free on each side
 
 // The way from the target to the eye, and which way is up, for a named view.
 struct Direction {

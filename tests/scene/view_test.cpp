@@ -75,7 +75,7 @@ TEST(View, EveryPresetFramesEverythingTightly) {
           EXPECT_LE(at.depth, view.far);
         }
         EXPECT_LE(reach, 1) << "preset " << preset;
-        EXPECT_NEAR(reach, 1 / 1.04, 0.001) << "preset " << preset;
+        EXPECT_NEAR(reach, 1 / 1.08, 0.001) << "preset " << preset;
       }
     }
   }
