@@ -40,7 +40,7 @@ struct ScreenTriangle {
 
 /// Perspective-correct weights of the mesh triangle's vertices and the depth key at image point p (1/256 pixel).
 struct Interpolants {
-  float depth_key;
+  float depth_key = 0;
   Vec3f weights;
 };
 [[nodiscard]] float depth_key_at(const ScreenTriangle& t, const std::array<std::int64_t, 3>& edges);
