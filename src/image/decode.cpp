@@ -55,14 +55,14 @@ ImageFormat format_of_name(const std::filesystem::path& file) {
                                : ImageFormat::unknown;
 }
 
-Result<Image> decode_image(std::span<const std::byte> bytes, const std::string& where, Transfer transfer) {
+Result<Image> decode_image(std::span<const std::byte> bytes, const std::string& where, Transfer transfer, const ImageLimits& limits) {
   switch (format_of_content(bytes)) {
     case ImageFormat::png:
-      return decode_png(bytes, where, transfer);
+      return decode_png(bytes, where, transfer, limits);
     case ImageFormat::exr:
-      return decode_exr(bytes, where);
+      return decode_exr(bytes, where, limits);
     case ImageFormat::pfm:
-      return decode_pfm(bytes, where);
+      return decode_pfm(bytes, where, limits);
     case ImageFormat::unknown:
       break;
   }

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "image/limits.hpp"
 #include "lustro/image.hpp"
 
 namespace lustro {
@@ -18,6 +19,7 @@ enum class ImageFormat { unknown, png, exr, pfm };
 [[nodiscard]] ImageFormat format_of_name(const std::filesystem::path& file);
 
 /// A PNG, EXR or PFM file by its content; where that says nothing, the error follows the extension of `where`.
-[[nodiscard]] Result<Image> decode_image(std::span<const std::byte> bytes, const std::string& where, Transfer transfer);
+[[nodiscard]] Result<Image> decode_image(std::span<const std::byte> bytes, const std::string& where, Transfer transfer,
+                                         const ImageLimits& limits = {});
 
 }  // namespace lustro

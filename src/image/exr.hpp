@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "image/limits.hpp"
 #include "lustro/image.hpp"
 
 namespace lustro {
@@ -19,10 +20,10 @@ namespace lustro {
 /// The picture of an EXR file (the first part of several): R, G, B and A, or Y and A, or the only channel there is, from half, float or uint;
 /// other channels and layers are ignored. Where the data window is not the display window the picture is the display window, empty where there
 /// is no data. errors  malformed, limit, unsupported (deep pixels, subsampled channels, no colour among several channels)
-[[nodiscard]] Result<Image> decode_exr(std::span<const std::byte> bytes, const std::string& where);
+[[nodiscard]] Result<Image> decode_exr(std::span<const std::byte> bytes, const std::string& where, const ImageLimits& limits = {});
 
 /// Walks the headers of an EXR file without taking memory, so that OpenEXR itself never sees sizes that the file cannot hold.
 /// errors  malformed with the byte offset, limit, unsupported
-[[nodiscard]] Result<void> check_exr_headers(std::span<const std::byte> bytes, const std::string& where);
+[[nodiscard]] Result<void> check_exr_headers(std::span<const std::byte> bytes, const std::string& where, const ImageLimits& limits);
 
 }  // namespace lustro

@@ -9,12 +9,9 @@
 #include <string_view>
 
 #include "image/exr.hpp"
-#include "image/limits.hpp"
 
 namespace lustro {
 namespace {
-
-constexpr std::int64_t kMaxChunkBytes = std::int64_t{1} << 30;
 
 /// Little-endian numbers and strings from a range that is never left.
 class Cursor {
@@ -145,7 +142,7 @@ std::int64_t expansion(int compression) {
   return compression == 0 ? 1 : (compression >= 8 ? 1032 * 64 : 1376);
 }
 
-Result<void> check_part(const Part& part, std::size_t file_bytes, const std::string& where) {
+Result<void> check_part(const Part& part, std::size_t file_bytes, const std::string& where, const ImageLimits& limits) {
   if (part.is_deep) {
     return fail(ErrorKind::unsupported, where, "holds deep pixels, which are not read");
   }
@@ -154,21 +151,21 @@ Result<void> check_part(const Part& part, std::size_t file_bytes, const std::str
                 "the EXR header lacks one of the attributes channels, compression, dataWindow and displayWindow, or states it empty");
   }
   for (const auto& [width, height] : {std::pair{part.data_width, part.data_height}, std::pair{part.display_width, part.display_height}}) {
-    if (auto ok = check_image_size(width, height, where); !ok) {
+    if (auto ok = check_image_size(width, height, where, limits); !ok) {
       return ok;
     }
   }
-  if (part.tile_width > kMaxImageSide || part.tile_height > kMaxImageSide) {
-    return fail(ErrorKind::limit, where,
-                fmt::format("states tiles of {} x {} pixels; at most {} x {} are read", part.tile_width, part.tile_height, kMaxImageSide,
-                            kMaxImageSide));
+  if (part.tile_width > limits.side || part.tile_height > limits.side) {
+    return fail(
+        ErrorKind::limit, where,
+        fmt::format("states tiles of {} x {} pixels; at most {} x {} are read", part.tile_width, part.tile_height, limits.side, limits.side));
   }
   const std::int64_t lines = part.tile_height > 0 ? part.tile_height : lines_a_chunk(part.compression);
   const std::int64_t width = std::max(part.data_width, part.tile_width);
-  if (width * lines > kMaxChunkBytes / std::max<std::int64_t>(part.pixel_bytes, 1)) {
+  if (width * lines > limits.chunk_bytes / std::max<std::int64_t>(part.pixel_bytes, 1)) {
     return fail(ErrorKind::limit, where,
                 fmt::format("has channels of {} bytes a pixel, {} lines together: more than {} bytes in one piece", part.pixel_bytes, lines,
-                            kMaxChunkBytes));
+                            limits.chunk_bytes));
   }
   if (part.data_width * part.data_height * part.pixel_bytes / expansion(part.compression) > static_cast<std::int64_t>(file_bytes)) {
     return fail(
@@ -180,7 +177,7 @@ Result<void> check_part(const Part& part, std::size_t file_bytes, const std::str
 
 }  // namespace
 
-Result<void> check_exr_headers(std::span<const std::byte> bytes, const std::string& where) {
+Result<void> check_exr_headers(std::span<const std::byte> bytes, const std::string& where, const ImageLimits& limits) {
   constexpr std::int32_t kMagic = 20000630;
   constexpr std::int32_t kDeep = 0x800;
   constexpr std::int32_t kMultipart = 0x1000;
@@ -227,7 +224,7 @@ Result<void> check_exr_headers(std::span<const std::byte> bytes, const std::stri
     if (is_multipart && is_empty && !first) {
       return {};
     }
-    if (auto ok = check_part(part, bytes.size(), where); !ok || !is_multipart) {
+    if (auto ok = check_part(part, bytes.size(), where, limits); !ok || !is_multipart) {
       return ok;
     }
   }

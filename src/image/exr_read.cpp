@@ -109,8 +109,8 @@ Result<Image> read_picture(Imf::InputFile& file, const std::string& where) {
 
 }  // namespace
 
-Result<Image> decode_exr(std::span<const std::byte> bytes, const std::string& where) {
-  if (auto ok = check_exr_headers(bytes, where); !ok) {
+Result<Image> decode_exr(std::span<const std::byte> bytes, const std::string& where, const ImageLimits& limits) {
+  if (auto ok = check_exr_headers(bytes, where, limits); !ok) {
     return tl::unexpected(std::move(ok).error());
   }
   try {

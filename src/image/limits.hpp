@@ -10,7 +10,14 @@ namespace lustro {
 
 constexpr std::int64_t kMaxImageSide = 16384;
 
-/// errors  malformed for a side below 1, limit for one above 16384
-[[nodiscard]] Result<void> check_image_size(std::int64_t width, std::int64_t height, const std::string& where);
+/// What a reader takes. The defaults are what read_image() promises; whoever has less memory (a fuzz target, say) states less.
+struct ImageLimits {
+  std::int64_t side = kMaxImageSide;
+  std::int64_t pixels = kMaxImageSide * kMaxImageSide;
+  std::int64_t chunk_bytes = std::int64_t{1} << 30;  ///< of what a file packs in one piece, unpacked
+};
+
+/// errors  malformed for a side below 1; limit
+[[nodiscard]] Result<void> check_image_size(std::int64_t width, std::int64_t height, const std::string& where, const ImageLimits& limits);
 
 }  // namespace lustro

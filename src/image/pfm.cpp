@@ -10,8 +10,6 @@
 #include <cstring>
 #include <string_view>
 
-#include "image/limits.hpp"
-
 namespace lustro {
 namespace {
 
@@ -72,7 +70,7 @@ std::vector<std::byte> encode_pfm(const Image& image) {
   return bytes;
 }
 
-Result<Image> decode_pfm(std::span<const std::byte> bytes, const std::string& where) {
+Result<Image> decode_pfm(std::span<const std::byte> bytes, const std::string& where, const ImageLimits& limits) {
   const auto at = [&](std::size_t offset) { return fmt::format("{}: byte {}", where, offset); };
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   std::size_t position = 0;
@@ -89,7 +87,7 @@ Result<Image> decode_pfm(std::span<const std::byte> bytes, const std::string& wh
                   fmt::format("{} was expected, and `{}` was found", i == 0 ? "the width" : "the height", word));
     }
   }
-  if (auto ok = check_image_size(size[0], size[1], where); !ok) {
+  if (auto ok = check_image_size(size[0], size[1], where, limits); !ok) {
     return tl::unexpected(std::move(ok).error());
   }
   const std::string_view word = next_word(text, position);

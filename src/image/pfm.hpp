@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "image/limits.hpp"
 #include "lustro/image.hpp"
 
 namespace lustro {
@@ -16,6 +17,6 @@ namespace lustro {
 
 /// Either byte order; 1 or 3 channels; multiplied by the absolute value of the header's scale.
 /// errors  malformed with the byte offset; limit
-[[nodiscard]] Result<Image> decode_pfm(std::span<const std::byte> bytes, const std::string& where);
+[[nodiscard]] Result<Image> decode_pfm(std::span<const std::byte> bytes, const std::string& where, const ImageLimits& limits = {});
 
 }  // namespace lustro

@@ -8,7 +8,6 @@
 #include <memory>
 #include <new>
 
-#include "image/limits.hpp"
 #include "image/png.hpp"
 #include "image/srgb.hpp"
 
@@ -93,7 +92,7 @@ Result<Image> decode_pixels(spng_ctx* context, const spng_ihdr& header, Transfer
 
 }  // namespace
 
-Result<Image> decode_png(std::span<const std::byte> bytes, const std::string& where, Transfer transfer) {
+Result<Image> decode_png(std::span<const std::byte> bytes, const std::string& where, Transfer transfer, const ImageLimits& limits) {
   const std::unique_ptr<spng_ctx, FreeContext> context(spng_ctx_new(0));
   if (!context) {
     return fail(ErrorKind::limit, where, "does not fit into memory");
@@ -109,7 +108,7 @@ Result<Image> decode_png(std::span<const std::byte> bytes, const std::string& wh
   if (status != 0) {
     return fail(ErrorKind::malformed, where, fmt::format("the PNG header is broken: {}", spng_strerror(status)));
   }
-  if (auto ok = check_image_size(header.width, header.height, where); !ok) {
+  if (auto ok = check_image_size(header.width, header.height, where, limits); !ok) {
     return tl::unexpected(std::move(ok).error());
   }
   if (!can_hold(bytes.size(), header)) {
