@@ -114,7 +114,7 @@ std::string describe_content(std::string_view bytes) {
       return std::string(name);
     }
   }
-  return fmt::format("a file that begins with {}", quoted(bytes.substr(0, 16)));
+  return fmt::format("a file that begins with {}", shown(bytes.substr(0, 16)));
 }
 
 }  // namespace lustro

@@ -52,7 +52,7 @@ class MtlReader {
   bool expected_number(std::string_view word) {
     const std::string_view found = text_.word();
     return error(ErrorKind::malformed,
-                 fmt::format("{} expects a finite number, found {}", word, found.empty() ? "the end of the line" : quoted(found)));
+                 fmt::format("{} expects a finite number, found {}", word, found.empty() ? "the end of the line" : shown(found)));
   }
 
   TextCursor text_;
@@ -125,7 +125,7 @@ bool MtlReader::read_surface(std::string_view word, OpenMaterial& open) {
     return read_clamped(word, 0, 1, open.transparency.emplace());
   }
   if (word != "map_aat") {  // anti-aliasing of textures on or off: no map, and nothing here
-    notes_.add(text_.line(), fmt::format("unknown statement {} is ignored", quoted(word)));
+    notes_.add(text_.line(), fmt::format("unknown statement {} is ignored", shown(word)));
   }
   return true;
 }
@@ -141,7 +141,7 @@ bool MtlReader::begin_material() {
     materials_.emplace_back();
   } else {
     materials_[known->second] = OpenMaterial{};
-    notes_.add(line, fmt::format("material {} is stated again: the last one counts", quoted(name)));
+    notes_.add(line, fmt::format("material {} is stated again: the last one counts", shown(name)));
   }
   current_ = known->second;
   materials_[*current_].material.name = std::move(name);
@@ -158,7 +158,7 @@ void MtlReader::read_map(std::string_view word, Material& material) {
   if (options_.has_map) {
     const auto [known, is_new] = looked_for_.emplace(map->file, true);
     if (is_new && !options_.has_map(map->file)) {
-      notes_.add(line, fmt::format("the file {} of {} is missing", quoted(map->file), word));
+      notes_.add(line, fmt::format("the file {} of {} is missing", shown(map->file), word));
     }
   }
   material.maps.push_back(std::move(*map));
@@ -213,7 +213,7 @@ bool MtlReader::read_illumination(Material& material) {
   if (!text_.integer(model)) {
     const std::string_view found = text_.word();
     return error(ErrorKind::malformed,
-                 fmt::format("illum expects a whole number 0..10, found {}", found.empty() ? "the end of the line" : quoted(found)));
+                 fmt::format("illum expects a whole number 0..10, found {}", found.empty() ? "the end of the line" : shown(found)));
   }
   if (model < 0 || model > 10) {
     notes_.add(text_.line(), fmt::format("illum {} is outside 0..10 and is ignored", model));

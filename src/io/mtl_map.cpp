@@ -126,7 +126,7 @@ std::optional<TextureMap> parse_map(std::string_view statement, const std::strin
       name_is_open = true;
     }
     if (!name_is_open) {
-      notes.add(line, fmt::format("{}: {} behind the options is ignored", statement, quoted(word)));
+      notes.add(line, fmt::format("{}: {} behind the options is ignored", statement, shown(word)));
       continue;
     }
     name_end = rest.size() - text.remaining();

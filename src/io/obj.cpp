@@ -72,7 +72,7 @@ class ObjReader {
   bool malformed(std::string message) { return error(ErrorKind::malformed, text_.line(), std::move(message)); }
   bool expected(std::string_view what) {
     const std::string_view found = text_.word();
-    return malformed(fmt::format("expected {}, found {}", what, found.empty() ? "the end of the line" : quoted(found)));
+    return malformed(fmt::format("expected {}, found {}", what, found.empty() ? "the end of the line" : shown(found)));
   }
   template <class T>
   bool has_room(const std::vector<T>& list, std::string_view what) {
@@ -375,9 +375,9 @@ void ObjReader::skip_statement(std::string_view word) {
   }
   if (first_unknown_line_ == 0) {
     first_unknown_line_ = text_.line();
-    first_unknown_ = quoted(word);
+    first_unknown_ = shown(word);
   }
-  notes_.add(text_.line(), fmt::format("unknown statement {} is skipped", quoted(word)));
+  notes_.add(text_.line(), fmt::format("unknown statement {} is skipped", shown(word)));
 }
 
 bool ObjReader::check_ahead(IndexStream& stream, std::size_t count) {

@@ -77,7 +77,7 @@ ObjMaterials::Outcome ObjMaterials::read_library(const std::string& name) {
   for (Material& material : library->materials) {
     Slot& slot = slots_[number(material.name, 0)];
     if (slot.is_defined) {
-      library_notes_.push_back({name, fmt::format("material {} is stated in another library too: the last one counts", quoted(material.name))});
+      library_notes_.push_back({name, fmt::format("material {} is stated in another library too: the last one counts", shown(material.name))});
     }
     slot.material = std::move(material);
     slot.is_defined = true;
@@ -115,7 +115,7 @@ Result<void> ObjMaterials::read_libraries(const std::string& line_text, std::siz
 void ObjMaterials::note_missing(const std::string& name, std::size_t line, NoteBook& notes) const {
   const auto reason = missing_.find(name);
   notes.add(line, reason == missing_.end() ? fmt::format("{} material libraries are named: the others are not read", kMostLibraries)
-                                           : fmt::format("the material library {} is not read: {}", quoted(name), reason->second));
+                                           : fmt::format("the material library {} is not read: {}", shown(name), reason->second));
 }
 
 std::uint32_t ObjMaterials::number(std::string name, std::size_t line) {
@@ -133,7 +133,7 @@ std::vector<Material> ObjMaterials::take(NoteBook& notes, Notes& library_notes) 
   materials.reserve(slots_.size());
   for (Slot& slot : slots_) {
     if (!slot.is_defined) {
-      notes.add(slot.first_line, fmt::format("material {} is not defined: it has the default coefficients", quoted(slot.material.name)));
+      notes.add(slot.first_line, fmt::format("material {} is not defined: it has the default coefficients", shown(slot.material.name)));
     }
     materials.push_back(std::move(slot.material));
   }

@@ -57,7 +57,7 @@ class BodyReader {
   }
   bool malformed(std::string message) { return error(ErrorKind::malformed, values_.place_of_value(), std::move(message)); }
   bool expected_value(const PlyProperty& property) {
-    return malformed(fmt::format("expected a value of {} (element {}, number {} of {}), found {}", quoted(property.name), quoted(element_->name),
+    return malformed(fmt::format("expected a value of {} (element {}, number {} of {}), found {}", shown(property.name), shown(element_->name),
                                  index_ + 1, element_->count, values_.found()));
   }
   static bool is_index_list(const PlyProperty& property) {
@@ -101,7 +101,7 @@ bool BodyReader<Values>::check_counts() {
     const bool is_vertex = element.name == "vertex";
     if ((is_vertex || element.name == "face") && element.count > kMostElements) {
       return error(ErrorKind::limit, values_.place(),
-                   fmt::format("the header states {} elements {}, and at most {} are read", element.count, quoted(element.name), kMostElements));
+                   fmt::format("the header states {} elements {}, and at most {} are read", element.count, shown(element.name), kMostElements));
     }
     if (is_vertex && has_vertices) {
       return error(ErrorKind::malformed, values_.place(), "the header states the element \"vertex\" twice");
@@ -120,7 +120,7 @@ bool BodyReader<Values>::read_element(const PlyElement& element) {
   if (least != 0 && element.count > (values_.remaining() + 1) / least) {
     return error(ErrorKind::malformed, values_.place(),
                  fmt::format("the header states {} elements {} of {} bytes or more each, but only {} bytes follow", element.count,
-                             quoted(element.name), least, values_.remaining()));
+                             shown(element.name), least, values_.remaining()));
   }
   if (element.name == "vertex") {
     return read_vertices(element);
@@ -251,7 +251,7 @@ bool BodyReader<Values>::read_strips(const PlyElement& element) {
 template <class Values>
 bool BodyReader<Values>::skip_element(const PlyElement& element) {
   if (element.count != 0) {
-    notes_.add(values_.line(), fmt::format("elements {} are skipped", quoted(element.name)), static_cast<std::size_t>(element.count));
+    notes_.add(values_.line(), fmt::format("elements {} are skipped", shown(element.name)), static_cast<std::size_t>(element.count));
   }
   for (index_ = 0; index_ < element.count; ++index_) {
     values_.begin_element();
@@ -278,7 +278,7 @@ bool BodyReader<Values>::read_count(const PlyProperty& property, std::uint64_t& 
   }
   const auto most = static_cast<double>(values_.remaining() + 1);
   if (!(value >= 0 && value <= most) || value != std::floor(value)) {
-    return malformed(fmt::format("a list {} of {} entries, and {} bytes follow", quoted(property.name), value, values_.remaining()));
+    return malformed(fmt::format("a list {} of {} entries, and {} bytes follow", shown(property.name), value, values_.remaining()));
   }
   count = static_cast<std::uint64_t>(value);
   return true;

@@ -51,7 +51,7 @@ class HeaderReader {
     return false;
   }
   bool expected(std::string_view what, std::string_view found) {
-    return error(ErrorKind::malformed, fmt::format("expected {}, found {}", what, found.empty() ? "the end of the line" : quoted(found)));
+    return error(ErrorKind::malformed, fmt::format("expected {}, found {}", what, found.empty() ? "the end of the line" : shown(found)));
   }
 
   std::string_view bytes_;
@@ -65,7 +65,7 @@ class HeaderReader {
 
 Result<PlyHeader> HeaderReader::read() {
   if (const std::string_view magic = text_.word(); magic != "ply" || !text_.at_line_end()) {
-    return fail(ErrorKind::malformed, at_line(file_, 1), fmt::format("expected the line ply, found {}", quoted(magic)));
+    return fail(ErrorKind::malformed, at_line(file_, 1), fmt::format("expected the line ply, found {}", shown(magic)));
   }
   text_.next_line();
   while (!is_done_ && !text_.at_end()) {
@@ -113,11 +113,11 @@ bool HeaderReader::read_format() {
   } else if (encoding == "binary_big_endian") {
     header_.encoding = PlyEncoding::big_endian;
   } else {
-    return error(ErrorKind::unsupported, fmt::format("format {}: expected ascii, binary_little_endian or binary_big_endian", quoted(encoding)));
+    return error(ErrorKind::unsupported, fmt::format("format {}: expected ascii, binary_little_endian or binary_big_endian", shown(encoding)));
   }
   const std::string_view version = text_.word();
   if (version != "1.0") {
-    return error(ErrorKind::unsupported, fmt::format("version {}: expected 1.0", quoted(version)));
+    return error(ErrorKind::unsupported, fmt::format("version {}: expected 1.0", shown(version)));
   }
   has_format_ = true;
   return true;
@@ -130,7 +130,7 @@ bool HeaderReader::read_element() {
   }
   std::int64_t count = 0;
   if (!text_.integer(count) || count < 0) {
-    return error(ErrorKind::malformed, fmt::format("expected the number of elements {}", quoted(name)));
+    return error(ErrorKind::malformed, fmt::format("expected the number of elements {}", shown(name)));
   }
   header_.elements.push_back({std::string(name), static_cast<std::uint64_t>(count), {}});
   return true;
@@ -166,7 +166,7 @@ bool HeaderReader::read_type(PlyType& type) {
       return true;
     }
   }
-  return error(ErrorKind::unsupported, fmt::format("type {}: expected char, uchar, short, ushort, int, uint, float or double", quoted(name)));
+  return error(ErrorKind::unsupported, fmt::format("type {}: expected char, uchar, short, ushort, int, uint, float or double", shown(name)));
 }
 
 // The body begins right behind the end of this line, and its first byte may look like one: only an end of line of the kind that the first

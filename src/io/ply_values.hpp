@@ -77,7 +77,7 @@ class PlyTextValues {
   /// What stands where a value was expected.
   [[nodiscard]] std::string found() {
     text_.skip_space();
-    return text_.at_end() ? "the end of the file" : quoted(text_.word());
+    return text_.at_end() ? "the end of the file" : shown(text_.word());
   }
 
  private:

@@ -37,7 +37,7 @@ class StlReader {
   }
   bool expected_word(std::string_view expected, std::string_view found) {
     error_ = Error{ErrorKind::malformed, at_line(file_, text_.line()),
-                   fmt::format("expected {}, found {}", expected, found.empty() ? "the end of the file" : quoted(found))};
+                   fmt::format("expected {}, found {}", expected, found.empty() ? "the end of the file" : shown(found))};
     return false;
   }
 

@@ -166,7 +166,7 @@ std::string at_byte(const std::string& file, std::size_t byte) {
   return fmt::format("{}: byte {}", file, byte);
 }
 
-std::string quoted(std::string_view text) {
+std::string shown(std::string_view text) {
   constexpr std::size_t kMost = 40;
   std::string out = "\"";
   std::size_t shown = 0;

@@ -139,7 +139,7 @@ class TextCursor {
 [[nodiscard]] std::string at_byte(const std::string& file, std::size_t byte);
 
 /// Foreign text for a message: in double quotes, at most 40 characters, what does not print as \xNN.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string shown(std::string_view text);
 
 /// A name as UTF-8: valid UTF-8 as it stands, else each byte read as Latin-1 (old exporters write the system's code page).
 [[nodiscard]] std::string to_utf8(std::string name);
