@@ -1,9 +1,10 @@
-# lustro_embed_text(target file ...): each text file becomes FILE.inc, a raw string literal that a .cpp of the target may #include.
+# lustro_embed_text(target file ...): each text file src/FOLDER/FILE becomes FOLDER/FILE.inc, a raw string literal that a .cpp of the target
+# may #include.
 function(lustro_embed_text target)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/embedded)
   foreach(file IN LISTS ARGN)
     file(READ ${file} text)
-    get_filename_component(name ${file} NAME)
+    string(REGEX REPLACE "^src/" "" name ${file})
     file(CONFIGURE OUTPUT ${folder}/${name}.inc CONTENT "R\"text(${text})text\"\n" @ONLY)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${file})
   endforeach()

@@ -10,16 +10,16 @@ namespace lustro {
 namespace {
 
 constexpr std::string_view kLighting =
-#include "lighting.glsl.inc"
+#include "shade/lighting.glsl.inc"
     ;
 constexpr std::string_view kFog =
-#include "fog.glsl.inc"
+#include "shade/fog.glsl.inc"
     ;
 constexpr std::string_view kVertex =
-#include "vertex.glsl.inc"
+#include "shade/vertex.glsl.inc"
     ;
 constexpr std::string_view kFragment =
-#include "fragment.glsl.inc"
+#include "shade/fragment.glsl.inc"
     ;
 
 using Words = std::vector<std::string_view>;
