@@ -45,7 +45,7 @@ TEST(LightText, SaysWhatIsWrong) {
   EXPECT_EQ(parse_light("point 1,2").error().message, "position: found \"1,2\", expected three numbers x,y,z");
   EXPECT_EQ(parse_light("point 1,2,3 4,5,6").error().message, "found \"4,5,6\", expected key=value");
   EXPECT_EQ(parse_light("spot 0,0,0 0,0,1 cutoff=120").error().message, "cutoff: 120 is outside 0..90");
-  EXPECT_EQ(parse_light("point 0,0,0 colour=red").error().message.substr(0, 46), "unknown key \"colour\", did you mean \"color\"? (kn");
+  EXPECT_EQ(parse_light("point 0,0,0 colour=red").error().message.substr(0, 46), "unknown key \"colour\", did you mean \"color\"? (k");
   EXPECT_EQ(parse_light("point 0,0,0 color=red").error().message,
             "color: found \"red\", expected a colour: #rgb, #rrggbb or three numbers r,g,b");
   EXPECT_EQ(parse_light("point 0,0,0 attenuation=1,-1,0").error().message, "attenuation: -1 is not 0 or more");
