@@ -63,7 +63,7 @@ Light directional_light() {
 Light point_light(const Attenuation& attenuation) {
   return {.type = LightType::point,
           .name = "lamp",
-          .position = {0.9, 1.3, 1.4},
+          .position = {0.45, 0.85, 1.05},
           .ambient = {{0.03F, 0.05F, 0.02F}},
           .diffuse = {{0.8F, 0.7F, 0.6F}},
           .specular = {{0.5F, 0.6F, 0.7F}},
@@ -73,8 +73,8 @@ Light point_light(const Attenuation& attenuation) {
 Light spot_light(const Attenuation& attenuation) {
   return {.type = LightType::spot,
           .name = "spot",
-          .position = {-0.9, 1.5, 1.6},
-          .direction = {0.9, -1.5, -1.7},
+          .position = {-0.5, 0.95, 1.15},
+          .direction = {0.5, -0.95, -1.2},
           .ambient = {{0.02F, 0.02F, 0.05F}},
           .diffuse = {{0.7F, 0.9F, 0.8F}},
           .specular = {{0.7F, 0.5F, 0.6F}},
@@ -86,8 +86,8 @@ Light spot_light(const Attenuation& attenuation) {
 Light beam_light(const Attenuation& attenuation) {
   Light light = spot_light(attenuation);
   light.name = "beam";
-  light.position = {0.2, 1.9, 1.2};
-  light.direction = {-0.1, -1.9, -1.1};
+  light.position = {0.2, 1.2, 0.95};
+  light.direction = {-0.1, -1.2, -0.9};
   light.cutoff = 42;
   light.beam = 18;
   light.exponent = 1.5;
