@@ -67,7 +67,7 @@ class Ring {
   struct Touch {
     std::uint32_t end;
     std::uint32_t corner;
-    friend auto operator<=>(const Touch&, const Touch&) = default;
+    friend bool operator<(const Touch& a, const Touch& b) { return a.end != b.end ? a.end < b.end : a.corner < b.corner; }
   };
 
   [[nodiscard]] std::uint32_t face_of(std::uint32_t i) const { return corner_face_[corners_[i]]; }
