@@ -226,6 +226,22 @@ TEST(Crease, SharingPassesOnFromNeighbourToNeighbour) {
   EXPECT_EQ(normal_at(s, at_90, 0, 3), normal_at(s, at_90, 8, 3));
 }
 
+TEST(Crease, RoundingDoesNotPartFacesAtExactlyTheCreaseAngle) {
+  for (const std::uint32_t sides : {9U, 12U, 36U, 45U}) {
+    SourceMesh s;
+    std::vector<std::vector<std::uint32_t>> faces;
+    for (std::uint32_t i = 0; i < sides; ++i) {
+      const double a = 2 * M_PI * i / sides;
+      s.positions.push_back({static_cast<float>(0.7 * std::cos(a)), 0, static_cast<float>(-0.7 * std::sin(a))});
+      s.positions.push_back({static_cast<float>(0.7 * std::cos(a)), 1, static_cast<float>(-0.7 * std::sin(a))});
+      faces.push_back({2 * i, (2 * i + 2) % (2 * sides), (2 * i + 3) % (2 * sides), 2 * i + 1});
+    }
+    s = polygons(s.positions, faces);
+    EXPECT_THAT(normals_of(s, {.crease_deg = 360.0 / sides}).normals, SizeIs(2 * sides));
+    EXPECT_THAT(normals_of(s, {.crease_deg = 360.0 / sides - 0.05}).normals, SizeIs(4 * sides));
+  }
+}
+
 TEST(Crease, FacesThatOnlyTouchInAPointDoNotShare) {
   // Two triangles in one plane, point to point.
   const SourceMesh s = polygons({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.1F}, {-1, 0, 0}, {-1, -1, 0.1F}}, {{0, 1, 2}, {0, 3, 4}});
@@ -331,6 +347,45 @@ TEST(Messy, ASliverDoesNotSpoilItsNeighbours) {
       expect_near(normal_at(s, joined, 2, 0), vec_cast<double>(at_ridge), 1e-5);  // and does not part what the crease joins
       expect_near(normal_at(s, joined, 1, 0), vec_cast<double>(at_ridge), 1e-5);
     }
+  }
+}
+
+TEST(Messy, ManySliversAroundOnePositionDoNotJoinWhatTheCreaseParts) {
+  // Twenty roofs that share their first corner alone, each with a cap on its ridge.
+  std::vector<Vec3f> positions{{0, 0, 0}};
+  std::vector<std::vector<std::uint32_t>> faces;
+  for (std::uint32_t i = 0; i < 20; ++i) {
+    const float x = static_cast<float>(std::cos(i)), y = static_cast<float>(std::sin(i));
+    const std::uint32_t ridge = 1 + 4 * i, middle = ridge + 1, top = ridge + 2, side = ridge + 3;
+    positions.insert(positions.end(), {{x, y, 0}, {x / 2, y / 2, 0}, {x, y, 1}, {x + y, y - x, 0}});
+    faces.insert(faces.end(), {{0, ridge, top}, {0, middle, ridge}, {0, side, middle}, {middle, side, ridge}});
+  }
+  const SourceMesh s = polygons(positions, faces);
+  const CornerNormals normals = normals_of(s, {.crease_deg = 40});
+  for (std::uint32_t i = 0; i < 20; ++i) {
+    EXPECT_NEAR(normal_at(s, normals, 4 * i, 0).z, 0, 1e-6) << i;
+    EXPECT_NEAR(normal_at(s, normals, 4 * i + 2, 0).z, 1, 1e-6) << i;
+  }
+}
+
+TEST(Messy, WhatIsLeftOfACancelledSumIsNotTakenForANormal) {
+  // A tilted plane around position 0, once from its front in five triangles and once from its back in seven.
+  std::vector<Vec3f> positions{{0.1F, 0.2F, 0.3F}};
+  std::vector<std::vector<std::uint32_t>> faces;
+  for (const std::uint32_t sides : {5U, 7U}) {
+    const auto first = static_cast<std::uint32_t>(positions.size());
+    for (std::uint32_t i = 0; i < sides; ++i) {
+      const double a = 2 * M_PI * i / sides;
+      const Vec3d p = Vec3d{0.6, 0.8, 0} * std::cos(a) + Vec3d{-0.48, 0.36, 0.8} * std::sin(a);
+      positions.push_back(positions[0] + vec_cast<float>(p));
+      const std::uint32_t next = first + (i + 1) % sides;
+      faces.push_back(sides == 5 ? std::vector<std::uint32_t>{0, first + i, next} : std::vector<std::uint32_t>{0, next, first + i});
+    }
+  }
+  const SourceMesh s = polygons(positions, faces);
+  const Vec3d front = cross(Vec3d{0.6, 0.8, 0}, Vec3d{-0.48, 0.36, 0.8});
+  for (std::uint32_t f = 0; f < 12; ++f) {
+    expect_near(normal_at(s, normals_of(s), f, 0), f < 5 ? front : -front, 1e-5);
   }
 }
 

@@ -236,6 +236,20 @@ TEST(Triangulate, CornersOnStraightEdgesArePartOfTrianglesWithArea) {
   }
 }
 
+TEST(Triangulate, CornersOnStraightEdgesUpToRoundingAreThatToo) {
+  for (int turn = 0; turn < 50; ++turn) {
+    const double c = std::cos(turn), s = std::sin(turn);
+    Outline outline;
+    for (const Point& p : Outline{{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}) {
+      outline.push_back({10 + c * p.x - s * p.y, s * p.x + c * p.y});
+    }
+    outline = to_float(outline);
+    for (const Triangle& t : cut_flat(outline).triangles) {
+      EXPECT_GT(doubled_area(outline[t[0]], outline[t[1]], outline[t[2]]), 0.1) << turn;
+    }
+  }
+}
+
 TEST(Triangulate, AHoleJoinedByABridgeStaysOpen) {
   // The outline, a bridge to the hole, the hole the other way round, and back over the same bridge.
   const Outline keyhole{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}};
@@ -324,6 +338,27 @@ TEST(Triangulate, ABowtieAndALineEndAndTheBowtieIsNamed) {
   EXPECT_FALSE(cut_flat({{0, 0}, {2, 2}, {2, 0}, {0, 2}}).clean);
   EXPECT_THAT(cut_flat({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}}).triangles, SizeIs(3));
   EXPECT_THAT(cut_flat({{0, 0}, {0, 0}, {0, 0}, {0, 0}}).triangles, SizeIs(2));
+}
+
+TEST(Triangulate, ADentThatPiercesTheOtherSideIsNamedThoughTheOutlineTurnsOnce) {
+  for (std::size_t shift = 0; shift < 6; ++shift) {
+    Outline outline{{0, 0}, {2, 0}, {4, 0}, {4, 4}, {2.5, -2}, {0, 4}};
+    std::rotate(outline.begin(), outline.begin() + static_cast<std::ptrdiff_t>(shift), outline.end());
+    EXPECT_FALSE(cut_flat(outline).clean) << shift;
+  }
+}
+
+TEST(Triangulate, ARingThatRunsOverItsOwnBeginningIsNamed) {
+  Outline ring;
+  for (int i = 0; i <= 40; ++i) {
+    ring.push_back({std::cos(i * M_PI / 18.3), std::sin(i * M_PI / 18.3)});
+  }
+  for (int i = 40; i >= 0; --i) {
+    ring.push_back({0.8 * std::cos(i * M_PI / 18.3), 0.8 * std::sin(i * M_PI / 18.3)});
+  }
+  EXPECT_FALSE(cut_flat(ring).clean);
+  ring = Outline(ring.begin() + 6, ring.end() - 6);  // the same ring short of a full round
+  EXPECT_TRUE(cut_flat(ring).clean);
 }
 
 TEST(Triangulate, AKnotOfManyCornersEndsInTime) {  // without a limit of work this takes cubic time
