@@ -16,6 +16,7 @@ ExitCode run(std::vector<std::string> arguments) {
   Session session;
   CommandLine line = make_command_line(session);
   for (const auto make : {
+           make_compare,      // commands/compare.cpp      how two pictures differ
            make_materials,    // commands/materials.cpp    the library of materials, as a list and as a picture
            make_glsl,         // commands/glsl.cpp         the lighting equation as GLSL shaders
            make_completions,  // commands/completions.cpp  completion scripts for the shells

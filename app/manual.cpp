@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "lustro/material.hpp"
+
 namespace lustro::app {
 namespace {
 
@@ -47,10 +49,16 @@ CommandDoc command_doc(const CLI::App& app, const std::string& name, std::vector
 }  // namespace
 
 std::vector<std::string> OptionDoc::choices() const {
+  std::vector<std::string> words;
+  if (value == "MATERIAL") {  // the library's names, which are most of what is typed here
+    for (const Material& material : material_library()) {
+      words.push_back(material.name);
+    }
+    return words;
+  }
   const bool is_list = value.find('|') != std::string::npos && std::none_of(value.begin(), value.end(), [](unsigned char c) {
                          return std::isupper(c) != 0 || c == ' ' || c == '[' || c == ',';
                        });
-  std::vector<std::string> words;
   for (std::size_t begin = 0; is_list && begin <= value.size();) {
     const std::size_t end = std::min(value.find('|', begin), value.size());
     words.push_back(value.substr(begin, end - begin));

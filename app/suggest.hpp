@@ -7,8 +7,7 @@
 
 namespace lustro::app {
 
-/// The known word nearest to the typed one, or nothing where none is near enough to be meant.
-/// source  optimal string alignment distance (Damerau 1964): a swap of neighbours counts one, as typists make them
+/// The known word that the typed one begins (`inter` for `interpolation`) or is a slip of the finger away from; nothing where there is none.
 [[nodiscard]] std::string nearest_word(std::string_view typed, std::span<const std::string> known);
 
 }  // namespace lustro::app

@@ -96,6 +96,10 @@ Result<ExitCode> run_render(const Session& session, const RenderFlags& flags) {
     notes.insert(notes.end(), rendering->notes.begin(), rendering->notes.end());
   }
   say_warnings(session, notes);
+  if (!rendering && rendering.error().kind == ErrorKind::empty) {
+    return fail(ErrorKind::empty, flags.scene,
+                fmt::format("nothing was drawn: {} (--allow-empty writes the picture all the same)", rendering.error().text()));
+  }
   if (!rendering) {
     return tl::unexpected(rendering.error());
   }
@@ -128,7 +132,7 @@ Result<ExitCode> run_render(const Session& session, const RenderFlags& flags) {
 std::string aov_list() {
   std::string names;
   for (const std::string_view name : aov_names()) {
-    names += (names.empty() ? "" : ", ") + std::string(name);
+    names += (names.empty() ? "" : ", ") + std::string(name) + (name == "light" ? ":N, light:*" : "");
   }
   return names;
 }
