@@ -3,6 +3,9 @@
 
 #include "app/commands.hpp"
 #include "app/json_out.hpp"
+#include "app/material_sheet.hpp"
+#include "app/outputs.hpp"
+#include "app/progress.hpp"
 #include "lustro/material.hpp"
 #include "scene/material_groups.hpp"
 #include "scene/text_values.hpp"
@@ -58,9 +61,30 @@ Json list_json() {
   return json;
 }
 
+Result<ExitCode> draw_sheet(const Session& session, const std::string& file) {
+  if (const Result<void> checked = check_outputs({file}); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  ProgressBar progress(session, "drawing");
+  const Result<Image> sheet = material_sheet(session.threads, progress.callback());
+  progress.wipe();
+  if (!sheet) {
+    return tl::unexpected(sheet.error());
+  }
+  Rendering rendering;
+  rendering.color = *sheet;
+  if (const auto written = write_outputs({file}, rendering, {}); !written) {
+    return tl::unexpected(written.error());
+  }
+  if (file != kStdout) {
+    say(session, fmt::format("wrote {} ({} x {})", file, sheet->width, sheet->height));
+  }
+  return ExitCode::success;
+}
+
 Result<ExitCode> run_materials(const Session& session, const MaterialsFlags& flags) {
   if (!flags.sheet.empty()) {
-    return fail(ErrorKind::unsupported, "--sheet", "not yet");
+    return draw_sheet(session, flags.sheet);
   }
   const Result<void> printed = session.json ? print_json(list_json()) : print(list_text());
   return printed.map([] { return ExitCode::success; });
