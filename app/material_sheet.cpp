@@ -53,10 +53,11 @@ Layout lay_out() {
   return layout;
 }
 
-Light directional(const Vec3d& direction, float strength) {
+Light directional(const Vec3d& direction, float diffuse, float specular) {
   Light light;
   light.direction = direction;
-  light.diffuse = light.specular = {{strength, strength, strength}, ColorSpace::linear};
+  light.diffuse = {{diffuse, diffuse, diffuse}, ColorSpace::linear};
+  light.specular = {{specular, specular, specular}, ColorSpace::linear};
   return light;
 }
 
@@ -84,7 +85,7 @@ Result<Scene> sheet_scene(const Layout& layout) {
   scene.camera.near = 1;
   scene.camera.far = 2000;
   scene.ambient = {{0.35F, 0.35F, 0.35F}};
-  scene.lights = std::vector<Light>{directional({0.55, -0.75, -0.8}, 1.0F), directional({-1, -0.1, -0.35}, 0.22F)};
+  scene.lights = std::vector<Light>{directional({0.55, -0.75, -0.8}, 1, 1), directional({-0.7, 0.7, -0.35}, 0.18F, 0)};
   for (const Cell& cell : layout.cells) {
     Object object;
     object.name = cell.material->name;

@@ -10,7 +10,9 @@
 namespace lustro::app {
 
 /// Whether the argument names a primitive (`primitive:teapot`), not a file.
-[[nodiscard]] inline bool is_primitive(const std::string& argument) { return argument.starts_with("primitive:"); }
+[[nodiscard]] inline bool is_primitive(const std::string& argument) {
+  return argument.starts_with("primitive:");
+}
 
 /// Whether the file is a scene: JSON by its first character, and not named as glTF. A file that cannot be read is none.
 [[nodiscard]] bool is_scene_file(const std::filesystem::path& file);

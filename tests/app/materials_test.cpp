@@ -34,4 +34,27 @@ TEST_F(MaterialsCommand, JsonHasTheNumbersOfTheTable) {
   EXPECT_EQ(json[1]["shininess"], 12.8);
 }
 
+TEST_F(MaterialsCommand, TheSheetShowsEachMaterialInItsOwnColour) {
+  const Outcome outcome = lustro({"materials", "--sheet", "sheet.png", "-q"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto sheet = lustro::read_image(work() / "sheet.png");
+  ASSERT_TRUE(sheet);
+  EXPECT_GT(sheet->width, 1000);
+  const auto has = [&](auto like) {
+    std::size_t count = 0;
+    for (int y = 0; y < sheet->height; ++y) {
+      for (int x = 0; x < sheet->width; ++x) {
+        const auto p = sheet->at(x, y);
+        count += like(p[0], p[1], p[2]) ? 1U : 0U;
+      }
+    }
+    return count > 500;
+  };
+  EXPECT_TRUE(has([](float r, float g, float b) { return r > 0.2F && g < 0.03F && b < 0.03F; })) << "ruby";
+  EXPECT_TRUE(has([](float r, float g, float b) { return g > 0.2F && r < 0.08F && b < 0.08F; })) << "emerald";
+  EXPECT_TRUE(has([](float r, float g, float b) { return r > 0.3F && g > 0.15F && b < 0.05F; })) << "brass";
+  EXPECT_EQ(lustro({"materials", "--sheet", "sheet.gif"}).code, 5);
+  EXPECT_EQ(lustro({"materials", "--sheet", "no/sheet.png"}).code, 3);
+}
+
 }  // namespace
