@@ -72,8 +72,8 @@ Result<SourceMesh> load(const fs::path& file, const LoadOptions& options) {
   }
   const std::string_view bytes = content->view();
   const std::string name = file.string();
-  MeshFormat format = format_of_content(bytes);
-  format = format == MeshFormat::unknown ? format_of_name(file) : format;
+  MeshFormat format = mesh_format_of_content(bytes);
+  format = format == MeshFormat::unknown ? mesh_format_of_name(file) : format;
   switch (format) {
     case MeshFormat::obj:
       return load_obj(bytes, file, options);

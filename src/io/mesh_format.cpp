@@ -70,7 +70,7 @@ bool is_obj(std::string_view bytes) {
 
 }  // namespace
 
-MeshFormat format_of_content(std::string_view bytes) {
+MeshFormat mesh_format_of_content(std::string_view bytes) {
   if (bytes.starts_with("glTF")) {
     return MeshFormat::glb;
   }
@@ -86,7 +86,7 @@ MeshFormat format_of_content(std::string_view bytes) {
   return is_obj(bytes) ? MeshFormat::obj : MeshFormat::unknown;
 }
 
-MeshFormat format_of_name(const std::filesystem::path& file) {
+MeshFormat mesh_format_of_name(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
