@@ -115,6 +115,7 @@ bool BodyReader<Values>::check_counts() {
 template <class Values>
 bool BodyReader<Values>::read_element(const PlyElement& element) {
   element_ = &element;
+  values_.begin_element();
   const std::size_t least = least_bytes(element, header_.encoding);
   // One byte more than there is: the last number of an ascii body needs nothing behind it.
   if (least != 0 && element.count > (values_.remaining() + 1) / least) {

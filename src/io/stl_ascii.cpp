@@ -74,7 +74,7 @@ bool StlReader::read_solid() {
       text_.next_line();  // the name once more
       return true;
     }
-    if (word.empty()) {
+    if (word.empty() && solid_is_listed_) {
       notes_.add(text_.line(), "the file ends without endsolid");
       return true;
     }

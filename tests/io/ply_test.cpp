@@ -183,7 +183,7 @@ TEST(Ply, TexcoordListsBecomeUvsOfCorners) {
                                        "6 0 0 1 0 1 1 3 0 1 2\n0 3 0 1 2\n4 1 2 3 4 3 0 1 2\n6 .5 0 .25 0 1 .5 3 2 1 0\n"));
   EXPECT_THAT(mesh.uvs, ElementsAre(Vec2f{0, 0}, Vec2f{1, 0}, Vec2f{1, 1}, Vec2f{0.5F, 0}, Vec2f{0.25F, 0}, Vec2f{1, 0.5F}));
   EXPECT_THAT(mesh.corner_uv, ElementsAre(0, 1, 2, kNone, kNone, kNone, kNone, kNone, kNone, 3, 4, 5));
-  EXPECT_THAT(texts(mesh.notes), ElementsAre("m.ply:15: lists texcoord that do not hold two numbers a corner are skipped"));
+  EXPECT_THAT(texts(mesh.notes), ElementsAre("m.ply:16: lists texcoord that do not hold two numbers a corner are skipped"));
 }
 
 TEST(Ply, UvsOfCornersWinOverThoseOfVertices) {
@@ -237,7 +237,7 @@ TEST(Ply, OtherElementsAndPropertiesAreSkipped) {
             "0.5 3 1 2 3\n9 0 0 0 2 0.5 0.5\n9 1 0 0 0\n9 1 1 0 1 7\n0 1\n1 2\n77 3 0 1 2 2 5 5\n"));
   EXPECT_THAT(mesh.positions, ElementsAre(Vec3f{0, 0, 0}, Vec3f{1, 0, 0}, Vec3f{1, 1, 0}));
   EXPECT_THAT(mesh.corner_position, ElementsAre(0, 1, 2));
-  EXPECT_THAT(texts(mesh.notes), ElementsAre("m.ply:22: elements \"camera\" are skipped", "m.ply:26: elements \"edge\" are skipped (2 times)"));
+  EXPECT_THAT(texts(mesh.notes), ElementsAre("m.ply:21: elements \"camera\" are skipped", "m.ply:25: elements \"edge\" are skipped (2 times)"));
 }
 
 TEST(Ply, SkippedListsOfABinaryBodyAreSteppedOver) {
@@ -301,7 +301,7 @@ TEST(Ply, AHeaderThatClaimsMoreThanThereIsIsRefusedBeforeMemoryIsTaken) {
     EXPECT_EQ(error_of(start + "element other 99999999999999999999\nproperty uchar a\nend_header\n").kind, ErrorKind::malformed);
   }
   EXPECT_EQ(error_of("ply\nformat binary_little_endian 1.0\nelement vertex 2\n" + std::string(kXyz) + "end_header\n0123456789").text(),
-            "m.ply: byte 106: the header states 2 elements \"vertex\" of 12 bytes or more each, but only 10 bytes follow");
+            "m.ply: byte 115: the header states 2 elements \"vertex\" of 12 bytes or more each, but only 10 bytes follow");
 }
 
 TEST(Ply, VerticesWithoutPlaceAreAnError) {

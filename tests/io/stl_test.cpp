@@ -166,6 +166,7 @@ TEST(Stl, WhatIsNoFacetIsAnErrorWithItsLine) {
   EXPECT_EQ(error_of("solid\nfacet\nouter loop\nvertex 0 x 0\n").text(), "m.stl:4: expected a number of the vertex, found \"x\"");
   EXPECT_EQ(error_of("solid\nfacet\nouter loop\nvertex 0 0 0\nfoo").text(), "m.stl:5: expected vertex or endloop, found \"foo\"");
   EXPECT_EQ(error_of("solid\nfacet\nouter loop\nvertex 0 0 0\nendloop\n").text(), "m.stl:6: expected endfacet, found the end of the file");
+  EXPECT_EQ(error_of("solid\n").text(), "m.stl:2: expected facet or endsolid, found the end of the file");
   EXPECT_EQ(error_of("solid\nendsolid\nfacet").text(), "m.stl:3: expected solid, found \"facet\"");
 }
 

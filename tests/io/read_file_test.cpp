@@ -1,0 +1,71 @@
+// Reading whole files, and every way in which that fails.
+#include "io/read_file.hpp"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "io_testing.hpp"
+#include "temporary_folder.hpp"
+
+namespace lustro {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(ReadFile, GivesEveryByte) {
+  const TemporaryFolder folder;
+  const std::string bytes("a\0b\n\xFF", 5);
+  folder.write("x", bytes);
+  EXPECT_EQ(good(read_file(folder.path / "x")).view(), bytes);
+  folder.write("empty", "");
+  EXPECT_EQ(good(read_file(folder.path / "empty")).view(), "");
+}
+
+TEST(ReadFile, FailuresNameTheFileAndTheSystemsReason) {
+  const TemporaryFolder folder;
+  const Error missing = bad(read_file(folder.path / "gone.obj"));
+  EXPECT_EQ(missing.kind, ErrorKind::io);
+  EXPECT_EQ(missing.text(), (folder.path / "gone.obj").string() + ": cannot be opened: No such file or directory");
+  EXPECT_EQ(bad(read_file(folder.path)).message, "is a folder, not a file");
+  EXPECT_EQ(bad(read_file(folder.path)).kind, ErrorKind::io);
+}
+
+TEST(ReadFile, AFileWithoutPermissionIsAnError) {
+  const TemporaryFolder folder;
+  folder.write("x", "bytes");
+  fs::permissions(folder.path, fs::perms::owner_all | fs::perms::others_read | fs::perms::others_exec);
+  fs::permissions(folder.path / "x", fs::perms::none);
+  const bool is_superuser = ::geteuid() == 0;  // who may read everything, and so becomes nobody for a moment
+  if (is_superuser && ::seteuid(65534) != 0) {
+    GTEST_SKIP() << "the superuser may read everything";
+  }
+  const Result<FileBytes> bytes = read_file(folder.path / "x");
+  if (is_superuser) {
+    ASSERT_EQ(::seteuid(0), 0);
+  }
+  EXPECT_EQ(bad(bytes).kind, ErrorKind::io);
+  EXPECT_EQ(bad(bytes).message, "cannot be opened: Permission denied");
+}
+
+TEST(ReadFile, APipeDoesNotHang) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(::mkfifo((folder.path / "pipe").c_str(), 0600), 0);
+  EXPECT_EQ(bad(read_file(folder.path / "pipe")).message, "is not a regular file");
+}
+
+TEST(ReadFile, AFileLargerThanTheMemoryIsRefusedAtOnce) {
+  const TemporaryFolder folder;
+  folder.write("x", "");
+  std::error_code problem;
+  fs::resize_file(folder.path / "x", std::uintmax_t{1} << 43U, problem);  // 8 TiB that take no room
+  if (problem) {
+    GTEST_SKIP() << "this file system has no such large files";
+  }
+  EXPECT_EQ(bad(read_file(folder.path / "x")).kind, ErrorKind::limit);
+}
+
+}  // namespace
+}  // namespace lustro
