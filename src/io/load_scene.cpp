@@ -139,8 +139,8 @@ bool opens_a_table(std::string_view text) {
 
 /// glTF is JSON, too.
 bool is_gltf(const fs::path& file, std::string_view text) {
-  return format_of_name(file) == MeshFormat::gltf ||
-         (format_of_content(text) == MeshFormat::gltf && text.find("\"objects\"") == std::string_view::npos);
+  return mesh_format_of_name(file) == MeshFormat::gltf ||
+         (mesh_format_of_content(text) == MeshFormat::gltf && text.find("\"objects\"") == std::string_view::npos);
 }
 
 Result<LoadedScene> load_scene_text(const fs::path& file, std::string_view text, const LoadOptions& options) {
