@@ -7,6 +7,7 @@
 #include <cstring>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "image/exr.hpp"
 
@@ -89,7 +90,7 @@ bool read_channels(std::span<const std::byte> data, std::int64_t& pixel_bytes) {
       return false;
     }
     if (name->empty()) {
-      return true;
+      return in.left() == 0;
     }
     const auto type = in.i32();
     if (in.left() < 12 || *type < 0 || *type > 2) {
@@ -98,6 +99,66 @@ bool read_channels(std::span<const std::byte> data, std::int64_t& pixel_bytes) {
     in.take(12);  // linearity, reserved, both samplings
     pixel_bytes += *type == 1 ? 2 : 4;
   }
+}
+
+/// The strings of a `stringvector`: a length and that many bytes each.
+bool is_string_vector(std::span<const std::byte> data) {
+  Cursor in(data);
+  while (in.left() > 0) {
+    const auto length = in.i32();
+    if (!length || *length < 0 || static_cast<std::size_t>(*length) > in.left()) {
+      return false;
+    }
+    in.take(static_cast<std::size_t>(*length));
+  }
+  return true;
+}
+
+/// A thumbnail: width, height, and four bytes a pixel.
+bool is_preview(std::span<const std::byte> data) {
+  Cursor in(data);
+  const auto width = in.i32(), height = in.i32();
+  return height && *width >= 0 && *height >= 0 && std::int64_t{*width} * *height == static_cast<std::int64_t>(in.left() / 4) &&
+         in.left() % 4 == 0;
+}
+
+/// Whether the data has the size of its type. OpenEXR reads what the type needs and goes on from there, whatever size is stated: without this
+/// check it could come to see other attributes than this walk does. Types that it does not know it takes by the stated size.
+bool has_size_of_type(std::string_view type, std::span<const std::byte> data) {
+  static constexpr std::pair<std::string_view, std::size_t> kSizes[] = {{"box2i", 16},
+                                                                        {"box2f", 16},
+                                                                        {"chromaticities", 32},
+                                                                        {"compression", 1},
+                                                                        {"deepImageState", 1},
+                                                                        {"double", 8},
+                                                                        {"envmap", 1},
+                                                                        {"float", 4},
+                                                                        {"int", 4},
+                                                                        {"keycode", 28},
+                                                                        {"lineOrder", 1},
+                                                                        {"m33f", 36},
+                                                                        {"m33d", 72},
+                                                                        {"m44f", 64},
+                                                                        {"m44d", 128},
+                                                                        {"rational", 8},
+                                                                        {"tiledesc", 9},
+                                                                        {"timecode", 8},
+                                                                        {"v2i", 8},
+                                                                        {"v2f", 8},
+                                                                        {"v2d", 16},
+                                                                        {"v3i", 12},
+                                                                        {"v3f", 12},
+                                                                        {"v3d", 24}};
+  const auto* found = std::ranges::find(kSizes, type, &std::pair<std::string_view, std::size_t>::first);
+  if (found != std::end(kSizes)) {
+    return data.size() == found->second;
+  }
+  std::int64_t ignored = 0;
+  return type == "stringvector"  ? is_string_vector(data)
+         : type == "preview"     ? is_preview(data)
+         : type == "chlist"      ? read_channels(data, ignored)
+         : type == "floatvector" ? data.size() % 4 == 0
+                                 : type != "idmanifest";  // packed, of any size: nothing that a picture needs
 }
 
 /// Returns false for data that has the wrong shape for its name.
@@ -216,7 +277,8 @@ Result<void> check_exr_headers(std::span<const std::byte> bytes, const std::stri
       if (!type || !size || *size < 0 || static_cast<std::size_t>(*size) > in.left()) {
         return broken("an attribute's type, size and data");
       }
-      if (!read_attribute(*name, in.take(static_cast<std::size_t>(*size)), part)) {
+      const auto data = in.take(static_cast<std::size_t>(*size));
+      if (!has_size_of_type(*type, data) || !read_attribute(*name, data, part)) {
         return broken(std::string("a valid attribute `").append(*name).append("`").c_str());
       }
     }

@@ -256,6 +256,20 @@ TEST(ExrReader, SizesAreCheckedBeforeMemoryIsTaken) {
   EXPECT_EQ(with_size(-5, 1).kind, ErrorKind::malformed);
 }
 
+TEST(ExrReader, AttributesHaveTheSizeOfTheirType) {
+  // OpenEXR would read 16 bytes of this box whatever is stated, and take what follows for another attribute
+  auto exr = *encode_exr(Image(1, 1, 4), {});
+  const std::string key = std::string("dataWindow") + '\0' + "box2i" + '\0';
+  const std::string text(reinterpret_cast<const char*>(exr.data()), exr.size());
+  const std::size_t at = text.find(key);
+  ASSERT_NE(at, std::string::npos);
+  exr[at + key.size()] = std::byte{17};
+  const auto result = decode_exr(exr, "a.exr");
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().kind, ErrorKind::malformed);
+  EXPECT_THAT(result.error().message, testing::HasSubstr("a valid attribute `dataWindow` was expected"));
+}
+
 TEST(ExrReader, ALargeEvenPictureIsNotTakenForABomb) {
   for (int c = Imf::NO_COMPRESSION; c < Imf::NUM_COMPRESSION_METHODS; ++c) {
     const Written written;
