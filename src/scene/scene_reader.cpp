@@ -356,6 +356,9 @@ Result<Scene> read_scene(const json& document) {
   if (!document.is_object()) {
     return expected_at(root, "a table {\"objects\": [...]}", document);
   }
+  if (const auto named = document.find(kSchemaKey); named != document.end() && !named->is_string()) {
+    return expected_at(root / kSchemaKey, "text", *named);
+  }
   Scene scene;
   NamedMaterials materials;
   if (const auto found = document.find("materials"); found != document.end()) {
