@@ -14,8 +14,8 @@ lustro::SourceMesh ripple(std::uint32_t n) {
     for (std::uint32_t i = 0; i <= n; ++i) {
       const float x = 2 * static_cast<float>(i) / static_cast<float>(n) - 1;
       const float z = 2 * static_cast<float>(j) / static_cast<float>(n) - 1;
-      const float r2 = x * x + z * z;
-      mesh.positions.push_back({x, 0.35F * (1 - 5 * r2) / (1 + 8 * r2 * r2), z});
+      const float r = std::sqrt(x * x + z * z);
+      mesh.positions.push_back({x, 0.3F * std::cos(9 * r) / (1 + 4 * r * r), z});
     }
   }
   for (std::uint32_t j = 0; j < n; ++j) {
@@ -41,8 +41,8 @@ lustro::Object placed(const lustro::Mesh& mesh, double x) {
 int main() {
   lustro::NormalOptions creased;
   creased.crease_deg = 0;  // faces at any angle to each other keep their own normals
-  const auto smooth = lustro::build_mesh(ripple(16));
-  const auto faceted = lustro::build_mesh(ripple(16), creased);
+  const auto smooth = lustro::build_mesh(ripple(24));
+  const auto faceted = lustro::build_mesh(ripple(24), creased);
   if (!smooth || !faceted) {
     std::fprintf(stderr, "%s\n", (smooth ? faceted : smooth).error().text().c_str());
     return 1;
@@ -52,8 +52,8 @@ int main() {
   scene.image.width = 900;
   scene.image.height = 450;
   scene.objects = {placed(faceted->mesh, -1.15), placed(smooth->mesh, 1.15)};
-  scene.camera.eye = {0, 2.6, 4.2};
-  scene.camera.target = {0, -0.1, 0};
+  scene.camera.eye = {0, 2.3, 3};
+  scene.camera.target = {0, -0.05, 0.1};
 
   const auto rendering = lustro::render(scene);
   if (!rendering) {
