@@ -389,6 +389,13 @@ TEST(Messy, WhatIsLeftOfACancelledSumIsNotTakenForANormal) {
   }
 }
 
+TEST(Messy, APolygonWhoseHalvesCancelHasTheNormalOfItsFirstHalf) {
+  const SourceMesh s = polygons({{0, 0, 0}, {2, 0, 2}, {2, 0, 0}, {0, 0, 2}}, {{0, 1, 2, 3}});
+  for (const Vec3f& n : {normal_at(s, normals_of(s), 0, 0), normal_at(s, normals_of(s), 0, 3)}) {
+    EXPECT_EQ(n, (Vec3f{0, 1, 0}));
+  }
+}
+
 TEST(Messy, SliversAloneStillHaveUnitNormals) {
   const SourceMesh s = polygons({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1e-9F, 0}, {5, 5, 5}}, {{0, 1, 2}, {0, 2, 3}});
   const CornerNormals normals = normals_of(s);
