@@ -191,6 +191,20 @@ TEST_F(LoadScene, NotesComeOnceEachWithTheirFile) {
   EXPECT_TRUE(without_folder(loaded->notes[2].where).starts_with("more.obj")) << loaded->notes[2].text();
 }
 
+TEST(ExampleScenes, LoadWithoutANote) {
+  int loaded = 0;
+  for (const auto& entry : fs::directory_iterator(fs::path(LUSTRO_SOURCE_DIR) / "examples" / "scenes")) {
+    const auto scene = load_scene(entry.path());
+    ASSERT_TRUE(scene) << scene.error().text();
+    EXPECT_TRUE(scene->notes.empty()) << scene->notes[0].text();
+    for (const Object& object : scene->scene.objects) {
+      EXPECT_FALSE(object.mesh->triangles.empty()) << object.source;
+    }
+    ++loaded;
+  }
+  EXPECT_GE(loaded, 5);
+}
+
 TEST(LoadSceneAssets, EveryRealMeshIsAScene) {
   LUSTRO_REQUIRE_SHARED();
   int loaded = 0;
