@@ -1,0 +1,21 @@
+// OBJ bytes; the material library that they name is a small fixed one.
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "check_mesh.hpp"
+#include "io/obj.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  lustro::ObjOptions options;
+  options.read_library = [](const std::string& name) -> lustro::Result<std::string> {
+    if (name.ends_with("missing.mtl")) {
+      return lustro::fail(lustro::ErrorKind::io, name, "is missing");
+    }
+    return std::string("newmtl red\nKd 1 0 0\nmap_Kd red.png\nnewmtl Material\nillum 1\nTr 0.5\n");
+  };
+  options.has_map = [](const std::string&, const std::string&) { return false; };
+  lustro::check_mesh(lustro::parse_obj({reinterpret_cast<const char*>(data), size}, "fuzz.obj", options));
+  return 0;
+}

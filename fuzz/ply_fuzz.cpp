@@ -1,0 +1,11 @@
+// PLY bytes, ascii and binary.
+#include <cstddef>
+#include <cstdint>
+
+#include "check_mesh.hpp"
+#include "io/ply.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  lustro::check_mesh(lustro::parse_ply({reinterpret_cast<const char*>(data), size}, "fuzz.ply"));
+  return 0;
+}
