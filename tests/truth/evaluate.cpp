@@ -82,9 +82,7 @@ class Judge {
 
   [[nodiscard]] Vec3d faced(const Vec3d& normal) const { return scene_.shading.two_sided && !front_ ? normal * -1.0 : normal; }
 
-  [[nodiscard]] Vec3d in_light(const Color& color) const {
-    return linear(color.rgb, color.space == ColorSpace::encoded && scene_.image.transfer == Transfer::srgb);
-  }
+  [[nodiscard]] Vec3d in_light(const Color& color) const { return light_of(color, scene_.image.transfer); }
 
   /// reading: normals are unit at the vertices, in world space, before they are interpolated.
   [[nodiscard]] Vec3d interpolated_normal() const {
@@ -231,8 +229,11 @@ Seen see(const Scene& scene, const World& world, double x, double y, const Hit& 
   }
   const ImageSettings& image = scene.image;
   const double alpha = image.transparent ? 0 : static_cast<double>(image.background_alpha);
-  const bool is_encoded = image.background.space == ColorSpace::encoded && image.transfer == Transfer::srgb;
-  return {.color = linear(image.background.rgb, is_encoded) * alpha, .alpha = alpha, .position = {}, .normal = {}};
+  return {.color = light_of(image.background, image.transfer) * alpha, .alpha = alpha, .position = {}, .normal = {}};
+}
+
+Vec3d light_of(const Color& color, Transfer transfer) {
+  return linear(color.rgb, color.space == ColorSpace::encoded && transfer == Transfer::srgb);
 }
 
 double stored(double value, Transfer transfer) {

@@ -17,6 +17,9 @@ struct Seen {
 /// What the pixel whose centre is (x, y) shows of `hit`, or the background.
 [[nodiscard]] Seen see(const Scene& scene, const World& world, double x, double y, const Hit& hit);
 
+/// A colour as linear light: decoded where it is encoded and the transfer is `srgb`.
+[[nodiscard]] Vec3d light_of(const Color& color, Transfer transfer);
+
 /// The value between 0 and 1 that is stored for a linear value.
 [[nodiscard]] double stored(double linear, Transfer transfer);
 

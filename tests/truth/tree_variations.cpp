@@ -169,8 +169,8 @@ void add_cameras(Branch& branch) {
         scene.camera.fov = fov;
         const Vec3d back = *scene.camera.eye - *scene.camera.target;
         scene.camera.eye = *scene.camera.target + back * distance;
-        scene.camera.near = 0.01;
-        scene.camera.far = 200;
+        scene.camera.near = distance < 1 ? 0.01 : 3.5 * distance;
+        scene.camera.far = distance < 1 ? 20 : 6 * distance;
       };
     };
     branch.add("camera/fov_120/" + std::string(word(interpolation)), 0, Projection::perspective, "fov_120", set(120, 0.4));
