@@ -16,8 +16,12 @@ ExitCode run(std::vector<std::string> arguments) {
   Session session;
   CommandLine line = make_command_line(session);
   for (const auto make : {
+           make_render,       // commands/render.cpp       a scene or a mesh to a picture
+           make_info,         // commands/info.cpp         what a file holds
+           make_explain,      // commands/explain.cpp      one pixel taken apart
            make_compare,      // commands/compare.cpp      how two pictures differ
            make_materials,    // commands/materials.cpp    the library of materials, as a list and as a picture
+           make_schema,       // commands/schema.cpp       the JSON Schema of the scene file
            make_glsl,         // commands/glsl.cpp         the lighting equation as GLSL shaders
            make_completions,  // commands/completions.cpp  completion scripts for the shells
            make_man,          // commands/man.cpp          the man page

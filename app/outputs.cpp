@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <string_view>
 #include <system_error>
 
 #include "image/decode.hpp"
@@ -69,6 +71,19 @@ Result<void> check_outputs(const std::vector<std::string>& outputs) {
     if (const Result<void> checked = check_output(outputs[i]); !checked) {
       return checked;
     }
+  }
+  return {};
+}
+
+Result<void> check_default_output(const std::string& output) {
+  using namespace std::string_view_literals;
+  std::ifstream stream(output, std::ios::binary);
+  std::string head(256, '\0');
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  const bool is_there = stream.gcount() > 0 || std::filesystem::exists(output);
+  if (is_there && head.find("tEXtSoftware\0Lustro"sv) == std::string::npos) {
+    return fail(ErrorKind::usage, output,
+                "is there already and was not drawn by Lustro; -o names another output, or this one if it may be replaced");
   }
   return {};
 }

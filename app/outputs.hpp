@@ -20,6 +20,10 @@ inline constexpr const char* kStdout = "-";
 /// errors  usage where a name is given twice, unsupported for an extension, io where a folder is missing or may not be written to
 [[nodiscard]] Result<void> check_outputs(const std::vector<std::string>& outputs);
 
+/// The default output takes the place of a picture that Lustro drew, never of another file: beside a mesh lie its textures.
+/// errors  usage where such a file is there
+[[nodiscard]] Result<void> check_default_output(const std::string& output);
+
 /// `out.png` and layer `light:0` make `out.light-0.png`.
 [[nodiscard]] std::string layer_file(const std::string& output, const std::string& layer);
 

@@ -88,6 +88,9 @@ Result<ExitCode> run_render(const Session& session, const RenderFlags& flags) {
   if (const Result<void> checked = check_outputs(outputs); !checked) {
     return tl::unexpected(checked.error());
   }
+  if (const Result<void> checked = is_named ? Result<void>() : check_default_output(outputs.front()); !checked) {
+    return tl::unexpected(checked.error());
+  }
 
   const auto start = std::chrono::steady_clock::now();
   Notes notes = std::move(loaded->notes);

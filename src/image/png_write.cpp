@@ -128,6 +128,8 @@ Result<std::vector<std::byte>> encode_png(const Image& image, const WriteOptions
     constexpr std::byte kPerceptual{0};
     append_chunk(out, "sRGB", std::span(&kPerceptual, 1));
   }
+  constexpr std::array<char, 15> kSoftware{'S', 'o', 'f', 't', 'w', 'a', 'r', 'e', 0, 'L', 'u', 's', 't', 'r', 'o'};  // no version: equal bytes
+  append_chunk(out, "tEXt", std::as_bytes(std::span(kSoftware)));
   constexpr std::size_t kLongestChunk = std::size_t{1} << 30;
   for (std::size_t begin = 0; begin < packed.size(); begin += kLongestChunk) {
     append_chunk(out, "IDAT", std::span(packed).subspan(begin, std::min(kLongestChunk, packed.size() - begin)));
