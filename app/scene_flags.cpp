@@ -116,7 +116,7 @@ CLI::Option* add_field(CLI::App& app, const FieldInfo& field, const std::string&
   } else {
     option = app.add_option(name, description)->type_name(value_name(field));
     if (field.kind == ValueKind::lights) {
-      option->expected(1, 1 << 20)->allow_extra_args(false);  // any number of times, one light each
+      option->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args(false);  // any number of times, one light each
     }
   }
   return option->group(group);

@@ -19,6 +19,6 @@ namespace lustro::app {
 
 /// The scene that the argument names.
 /// errors  as load_scene(); usage for a flag
-[[nodiscard]] Result<LoadedScene> load_scene_argument(const std::string& argument, const SceneFlags& flags, const LoadOptions& options);
+[[nodiscard]] Result<LoadedScene> load_scene_argument(const std::string& argument, const SceneFlags& flags, LoadOptions options);
 
 }  // namespace lustro::app

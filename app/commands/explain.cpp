@@ -16,7 +16,7 @@ struct ExplainFlags {
 };
 
 Result<ExitCode> run_explain(const Session& session, const ExplainFlags& flags) {
-  const Result<LoadedScene> loaded = load_scene_argument(flags.scene, flags.scene_flags, {.transparency_is_tr = flags.mtl_tr});
+  const Result<LoadedScene> loaded = load_scene_argument(flags.scene, flags.scene_flags, {.transparency_is_tr = flags.mtl_tr, .adjust = {}});
   if (!loaded) {
     return tl::unexpected(loaded.error());
   }

@@ -58,7 +58,7 @@ Command make_info(CommandLine& line, Session& session) {
       app,
       {{"lustro info bunny.ply", "counts, bounds, materials, repairs"}, {"lustro info scene.json --json", "the same of a scene, for a script"}},
       [&session, flags]() -> Result<ExitCode> {
-        const LoadOptions options{.transparency_is_tr = flags->mtl_tr};
+        const LoadOptions options{.transparency_is_tr = flags->mtl_tr, .adjust = {}};
         const bool is_scene = !is_primitive(flags->file) && is_scene_file(flags->file);
         return is_scene ? scene_info(session, *flags, options) : mesh_info(session, *flags, options);
       }};

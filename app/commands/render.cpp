@@ -74,7 +74,7 @@ Result<ExitCode> run_render(const Session& session, const RenderFlags& flags) {
   if (!flags.aovs.empty() && !aovs) {
     return fail(aovs.error().kind, "--aov", aovs.error().message);
   }
-  Result<LoadedScene> loaded = load_scene_argument(flags.scene, flags.scene_flags, {.transparency_is_tr = flags.mtl_tr});
+  Result<LoadedScene> loaded = load_scene_argument(flags.scene, flags.scene_flags, {.transparency_is_tr = flags.mtl_tr, .adjust = {}});
   if (!loaded) {
     return tl::unexpected(loaded.error());
   }
@@ -153,7 +153,7 @@ Command make_render(CommandLine& line, Session& session) {
                   "The picture: .png, .exr or .pfm; - is a PNG on standard output (default: the mesh's name with .png, beside it)")
       ->type_name("FILE")
       ->group(output)
-      ->expected(1, 1 << 20)
+      ->expected(-1)
       ->allow_extra_args(false);
   app->add_option("--bits", flags->bits, "Bits a channel of a PNG: 8 or 16 (default: 8)")->type_name("8|16")->group(output);
   app->add_option(

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -112,6 +113,9 @@ struct LoadedScene {
 
 struct LoadOptions {
   bool transparency_is_tr = false;  ///< an MTL file's lone `Tr` is the opacity (as 3ds Max writes it), not 1 - opacity
+
+  /// Called by load_scene() with the scene as the file states it, before its meshes are loaded by it: the place for what overrides the file.
+  std::function<Result<void>(Scene&)> adjust = {};
 };
 
 /// The scene that a JSON text describes, meshes not loaded yet (Object::source names them).

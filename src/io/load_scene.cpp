@@ -149,6 +149,9 @@ Result<LoadedScene> load_scene_text(const fs::path& file, std::string_view text,
   if (!scene) {
     return tl::unexpected(scene.error());
   }
+  if (const auto done = options.adjust ? options.adjust(*scene) : Result<void>(); !done) {
+    return tl::unexpected(done.error());
+  }
   NoteList notes;
   for (const Note& note : unused_keys(*scene)) {
     notes.add({joined(name, note.where), note.message});
@@ -165,6 +168,9 @@ Result<LoadedScene> load_bare_mesh(const fs::path& file, const LoadOptions& opti
   Object object;
   object.source = file.filename().string();
   scene.objects.push_back(std::move(object));
+  if (const auto done = options.adjust ? options.adjust(scene) : Result<void>(); !done) {
+    return tl::unexpected(done.error());
+  }
   NoteList notes;
   if (const auto done = load_all(scene, file.parent_path(), options, notes, false); !done) {
     return tl::unexpected(done.error());

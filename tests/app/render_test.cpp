@@ -84,6 +84,12 @@ TEST_F(RenderCommand, FlagsMayStandBeforeTheMesh) {
   EXPECT_EQ(png_size(bytes("out.png")), std::pair(20, 10));
 }
 
+TEST_F(RenderCommand, AnOutputAndALightTakeOneValueEach) {
+  const Outcome outcome = lustro({"render", "-o", "a.png", "--light", "directional 0,0,-1", "scene.json", "-o", "b.png"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(files(), ElementsAre("a.png", "b.png", "scene.json", "square.obj"));
+}
+
 TEST_F(RenderCommand, EveryFlagOfTheTableIsInTheHelp) {
   const std::string help = lustro({"render", "--help"}).out;
   int count = 0;
@@ -291,23 +297,23 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"AFolder", {"render", ".", "-o", "o.png"}, 3, "folder"},
         Refusal{"AbsentOutputFolder", {"render", "scene.json", "-o", "no/where/o.png"}, 3, "there is no folder no/where"},
         Refusal{"BrokenJson", {"render", "broken.json", "-o", "o.png"}, 4, "broken.json"},
-        Refusal{"NumberOutOfRange", {"render", "range.json", "-o", "o.png"}, 4, "fog.density: -1 is outside 0 or more"},
+        Refusal{"NumberOutOfRange", {"render", "range.json", "-o", "o.png"}, 4, "fog.density: -1 is not 0 or more"},
         Refusal{"UnknownKey", {"render", "key.json", "-o", "o.png"}, 4, "did you mean \"shading\"?"},
         Refusal{"IndexOutside", {"render", "bad.obj", "-o", "o.png"}, 4, "bad.obj:4: "},
         Refusal{"UnknownInput", {"render", "text.xyz", "-o", "o.png"}, 5, "text.xyz"},
         Refusal{"UnknownOutput", {"render", "scene.json", "-o", "o.gif"}, 5, "o.gif: pictures are written as .png, .exr or .pfm"},
-        Refusal{"HugeHeader", {"render", "huge.ply", "-o", "o.png"}, 4, "huge.ply"},
+        Refusal{"HugeHeader", {"render", "huge.ply", "-o", "o.png"}, 6, "huge.ply: byte 124"},
         Refusal{"UnknownPrimitive", {"render", "primitive:teapod", "-o", "o.png"}, 2, "teapot"},
         Refusal{"UnknownFlag", {"render", "scene.json", "--lightning", "phong"}, 2, "there is no flag --lightning; did you mean --lighting?"},
         Refusal{"UnknownWord", {"render", "scene.json", "--lighting", "blin-phong"}, 2, "did you mean \"blinn-phong\"?"},
         Refusal{"UnknownMaterial", {"render", "scene.json", "--material", "jad"}, 2, "jade"},
         Refusal{"SizeWithoutX", {"render", "scene.json", "--size", "800"}, 2, "--size: `800` is not WIDTHxHEIGHT"},
         Refusal{"SizeTooLarge", {"render", "scene.json", "--size", "20000x10"}, 2, "20000 is outside 1..16384"},
-        Refusal{"FovTooLarge", {"render", "scene.json", "--fov", "180"}, 2, "--fov: 180 is outside more than 0 and less than 180"},
+        Refusal{"FovTooLarge", {"render", "scene.json", "--fov", "180"}, 2, "--fov: 180 is not more than 0 and less than 180"},
         Refusal{"OutputTwice", {"render", "scene.json", "-o", "o.png", "-o", "o.png"}, 2, "o.png is named twice"},
         Refusal{"TwoScenes", {"render", "scene.json", "square.obj", "-o", "o.png"}, 2, "`square.obj` is one argument too many"},
         Refusal{"NoScene", {"render"}, 2, "SCENE is required"}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& refusal) { return refusal.param.name; });
 
 TEST_F(RenderCommand, AFailureLeavesTheFileThatWasThere) {
   write_text(work() / "out.png", "mine");
@@ -323,18 +329,20 @@ TEST_F(RenderCommand, AnInterruptLeavesNoFile) {
   EXPECT_THAT(files(), ElementsAre("scene.json", "square.obj"));
 }
 
-TEST_F(RenderCommand, TheProgressBarIsForTerminals) {
-  const std::vector<std::string> words{"primitive:torus:200", "--size", "3000x3000", "--samples", "16", "--threads", "1", "-o", "o.png"};
-  EXPECT_THAT(lustro(words).err, Not(HasSubstr("drawing [")));
+TEST_F(RenderCommand, TheProgressBarIsForTerminalsAndForLongWork) {
+  // Far more work than the few seconds after which it is stopped.
+  const std::string line = LUSTRO_COMMAND " primitive:torus:100 --size 8000x8000 --samples 16 --threads 1 -o o.png";
+  const auto stopped = [&](const std::string& seconds, const std::string& what) {
+    return run_program({"timeout", "-s", "INT", seconds, "sh", "-c", what});
+  };
+  EXPECT_THAT(stopped("2", "exec " + line).err, IsEmpty());
   if (!has_program("script")) {
     GTEST_SKIP() << "needs script(1) for a pseudo-terminal";
   }
-  std::string line = LUSTRO_COMMAND;
-  for (const std::string& word : words) {
-    line += " " + word;
-  }
-  EXPECT_THAT(run_program({"script", "-qec", line, "/dev/null"}).out, HasSubstr("drawing [#"));
-  EXPECT_THAT(run_program({"script", "-qec", line + " --quiet", "/dev/null"}).out, IsEmpty());
+  const auto on_terminal = [](const std::string& command) { return "exec script -qec '" + command + "' /dev/null"; };
+  EXPECT_THAT(stopped("4", on_terminal(line)).out, HasSubstr("drawing [#"));
+  EXPECT_THAT(stopped("2", on_terminal(line + " --quiet")).out, Not(HasSubstr("drawing")));
+  EXPECT_THAT(run_program({"script", "-qec", LUSTRO_COMMAND " scene.json -o o.png", "/dev/null"}).out, Not(HasSubstr("drawing")));
 }
 
 }  // namespace
