@@ -53,7 +53,8 @@ DepthRange depth_range(const View& view, const Extent& extent) {
 // Near and far planes that hold the bounds, unless the camera states them.
 Result<void> choose_depths(View& view, const Camera& camera, const Extent& extent) {
   const DepthRange range = depth_range(view, extent);
-  const double size = std::max(range.farthest - range.nearest, 1e-6 * std::max(std::abs(range.farthest), std::abs(range.nearest)));
+  // A flat scene seen straight on has no size in depth: the planes must still be many floats apart.
+  const double size = std::max(range.farthest - range.nearest, 1e-3 * std::max(std::abs(range.farthest), std::abs(range.nearest)));
   const double slack = size > 0 ? 0.01 * size : 1;
   view.far = camera.far.value_or(std::max(range.farthest + slack, camera.near.value_or(0) + slack));
   if (view.projection == Projection::perspective) {
