@@ -2,11 +2,13 @@
 // explain() takes apart the very pixel that render() made.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <string>
 
 #include "lustro/lustro.hpp"
 #include "truth/scene_tree.hpp"
@@ -112,6 +114,30 @@ TEST(Tree, ExplainTakesApartTheVeryPixelThatRenderMade) {
     }
   }
   EXPECT_GT(fragments, scenes.size());
+}
+
+/// The tree as scene files: written, read back, their meshes loaded, and drawn to the same bits.
+TEST(Tree, SurvivesTheSceneFile) {
+  const std::vector<const TreeScene*> scenes = chosen_scenes();
+  int drawn = 0;
+  for (std::size_t i = 0; i < scenes.size(); i += 4) {
+    const Scene& scene = scenes[i]->scene;
+    if (std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& object) { return object.source.empty(); })) {
+      continue;  // a mesh made by hand has no name
+    }
+    const std::string text = scene_json(scene);
+    Result<Scene> read = parse_scene(text, scenes[i]->name);
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(scene_json(*read), text);
+    const Result<Notes> loaded = load_meshes(*read, ".");
+    ASSERT_TRUE(loaded) << loaded.error().text();
+    const Result<Rendering> before = render(scene);
+    const Result<Rendering> after = render(*read);
+    ASSERT_TRUE(before && after) << scenes[i]->name;
+    ASSERT_EQ(before->color.pixels, after->color.pixels) << scenes[i]->name << "\n" << text;
+    ++drawn;
+  }
+  EXPECT_GT(drawn, 50);
 }
 
 }  // namespace

@@ -332,10 +332,9 @@ void add_surfaces(Branch& branch) {
 }
 
 void add_picture(Branch& branch) {
-  const std::array<std::pair<const char*, Fog>, 7> fogs{
+  const std::array<std::pair<const char*, Fog>, 6> fogs{
       {{"linear", {.mode = FogMode::linear, .start = 3, .end = 6, .color = {{0.5F, 0.6F, 0.7F}}}},
        {"linear_ends_inside", {.mode = FogMode::linear, .start = 3.9, .end = 4.4, .color = {{0.5F, 0.6F, 0.7F}, ColorSpace::encoded}}},
-       {"linear_reversed", {.mode = FogMode::linear, .start = 6, .end = 2, .color = {{0.5F, 0.1F, 0.2F}}}},
        {"exp", {.mode = FogMode::exp, .density = 0.2, .color = {{0.5F, 0.6F, 0.7F}}}},
        {"exp_dense", {.mode = FogMode::exp, .density = 30, .color = {{0.5F, 0.6F, 0.7F}}}},
        {"exp2", {.mode = FogMode::exp2, .density = 0.2, .color = {{0.2F, 0.3F, 0.8F}, ColorSpace::encoded}}},
