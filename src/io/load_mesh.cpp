@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 // A path as an MTL or OBJ states it, with slashes of either kind.
 fs::path path_of(std::string name) {
   std::replace(name.begin(), name.end(), '\\', '/');
-  return fs::path(name);
+  return {name};
 }
 
 bool is_file(const fs::path& file) {

@@ -16,28 +16,26 @@ namespace lustro {
 
 namespace {
 
-using std::string_view_literals::operator""sv;
-
 // What people hand to a mesh renderer by mistake, or in hope.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 18> kOthers{{
-    {"\x89PNG"sv, "a PNG image"},
-    {"\xFF\xD8\xFF"sv, "a JPEG image"},
-    {"GIF8"sv, "a GIF image"},
-    {"#?RADIANCE"sv, "a Radiance image"},
-    {"\x76\x2F\x31\x01"sv, "an OpenEXR image"},
-    {"PK\x03\x04"sv, "a ZIP archive (3MF, USDZ, ...)"},
-    {"\x1F\x8B"sv, "gzip-compressed data"},
-    {"Kaydara FBX"sv, "an FBX file"},
-    {"; FBX"sv, "an FBX file"},
-    {"BLENDER"sv, "a Blender file"},
-    {"DRACO"sv, "a Draco file"},
-    {"OFF"sv, "an OFF file"},
-    {"#usda"sv, "a USD file"},
-    {"PXR-USDC"sv, "a USD file"},
-    {"#VRML"sv, "a VRML file"},
-    {"# vtk DataFile"sv, "a VTK file"},
-    {"<?xml"sv, "an XML file (COLLADA, X3D, ...)"},
-    {"\x28\xB5\x2F\xFD"sv, "zstd-compressed data"},
+    {"\x89PNG", "a PNG image"},
+    {"\xFF\xD8\xFF", "a JPEG image"},
+    {"GIF8", "a GIF image"},
+    {"#?RADIANCE", "a Radiance image"},
+    {"\x76\x2F\x31\x01", "an OpenEXR image"},
+    {"PK\x03\x04", "a ZIP archive (3MF, USDZ, ...)"},
+    {"\x1F\x8B", "gzip-compressed data"},
+    {"Kaydara FBX", "an FBX file"},
+    {"; FBX", "an FBX file"},
+    {"BLENDER", "a Blender file"},
+    {"DRACO", "a Draco file"},
+    {"OFF", "an OFF file"},
+    {"#usda", "a USD file"},
+    {"PXR-USDC", "a USD file"},
+    {"#VRML", "a VRML file"},
+    {"# vtk DataFile", "a VTK file"},
+    {"<?xml", "an XML file (COLLADA, X3D, ...)"},
+    {"\x28\xB5\x2F\xFD", "zstd-compressed data"},
 }};
 
 bool is_ply(std::string_view bytes) {

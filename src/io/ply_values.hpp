@@ -90,7 +90,7 @@ class PlyTextValues {
 template <bool kIsSwapped>
 class PlyByteValues {
  public:
-  PlyByteValues(std::string_view bytes, const PlyHeader& header, const std::string& file, NoteBook&)
+  PlyByteValues(std::string_view bytes, const PlyHeader& header, const std::string& file, const NoteBook& /*notes*/)
       : bytes_(bytes), at_(header.body), file_(file) {}
 
   [[nodiscard]] bool read(PlyType type, double& value) {

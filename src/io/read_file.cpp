@@ -26,6 +26,8 @@ struct Descriptor {
   explicit Descriptor(int number_) : number(number_) {}
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
+  Descriptor(Descriptor&&) = delete;
+  Descriptor& operator=(Descriptor&&) = delete;
   ~Descriptor() {
     if (number >= 0) {
       ::close(number);
