@@ -3,6 +3,7 @@
 
 check_docs.py links                  every relative link and anchor of every .md file resolves
 check_docs.py programs               every ```cpp block after a line `<!-- file: PATH -->` is that file, byte for byte
+check_docs.py pictures               every picture of docs/pictures is shown somewhere and is small
 check_docs.py commands LUSTRO FILE   every ```sh block of FILE runs, in order, in one folder that holds assets/ and examples/
 
 What stands on the line before an sh block changes what is expected of it: `<!-- not run: WHY -->`, `<!-- exits N -->`.
@@ -97,6 +98,20 @@ def check_programs():
     return problems, f"{count} programs"
 
 
+def check_pictures():
+    problems, files = [], sorted((ROOT / "docs" / "pictures").glob("*.png"))
+    text = "\n".join(f.read_text(encoding="utf-8") for f in markdown_files())
+    for file in files:
+        if f"pictures/{file.name}" not in text:
+            problems.append(f"no page shows docs/pictures/{file.name}")
+        if file.stat().st_size > 300_000:
+            problems.append(f"docs/pictures/{file.name} has {file.stat().st_size} bytes, more than 300,000")
+    total = sum(f.stat().st_size for f in files)
+    if total > 4_000_000 or not files:
+        problems.append(f"docs/pictures holds {len(files)} files with {total} bytes; expected are some, with at most 4,000,000")
+    return problems, f"{len(files)} pictures with {total} bytes"
+
+
 def check_commands(lustro: str, name: str):
     problems, count = [], 0
     file = ROOT / name
@@ -127,6 +142,8 @@ def main() -> int:
             problems, what = check_links()
         case ["programs"]:
             problems, what = check_programs()
+        case ["pictures"]:
+            problems, what = check_pictures()
         case ["commands", lustro, name]:
             problems, what = check_commands(lustro, name)
         case _:
