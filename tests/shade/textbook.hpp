@@ -107,7 +107,7 @@ inline ShadingLight ready(const Light& light) {
   } else if (a.falloff) {
     out.falloff = static_cast<float>(p);
   }
-  out.attenuation_limit = a.unclamped ? 3e38F : 1.0F;
+  out.attenuation_limit = a.unclamped ? 1e30F : 1.0F;
   out.cos_cutoff = static_cast<float>(light.cutoff == 90 ? 0 : cosine_of(light.cutoff));
   if (light.beam) {
     out.cos_beam = static_cast<float>(cosine_of(*light.beam));
