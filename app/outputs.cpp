@@ -128,7 +128,14 @@ Result<std::vector<std::string>> write_outputs(const std::vector<std::string>& o
       const std::string file = layer_file(output, layer.name);
       const auto write_layer = [&] {
         // A PNG is looked at, a PFM is measured: the one shows the layer, the other holds its numbers.
-        return format == ImageFormat::png ? write_image(file, layer_preview(layer), options) : write_image(file, layer.image, options);
+        if (format != ImageFormat::png) {
+          return write_image(file, layer.image, options);
+        }
+        WriteOptions preview = options;
+        if (is_data_layer(layer)) {
+          preview.transfer = Transfer::none;  // 0.5 of a number is 0.5 of the range, no light to be encoded
+        }
+        return write_image(file, layer_preview(layer), preview);
       };
       if (const Result<void> done = write(file, write_layer); !done) {
         return tl::unexpected(done.error());

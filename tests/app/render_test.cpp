@@ -181,6 +181,18 @@ TEST_F(RenderCommand, ATransparentBackgroundHasNoAlpha) {
   EXPECT_EQ(image.at(16, 12)[3], 1);
 }
 
+TEST_F(RenderCommand, ALayerOfNumbersIsStoredAsItStandsAndALayerOfLightEncoded) {
+  ASSERT_EQ(lustro({"render", "scene.json", "--aov", "normal,albedo", "-o", "out.png"}).code, 0);
+  const auto normal = lustro::read_image(work() / "out.normal.png", lustro::Transfer::none);
+  ASSERT_TRUE(normal.has_value());
+  EXPECT_NEAR(normal->at(16, 12)[0], 0.5, 0.003);  // N = (0, 0, 1), shown as (N + 1) / 2
+  EXPECT_NEAR(normal->at(16, 12)[1], 0.5, 0.003);
+  EXPECT_EQ(normal->at(16, 12)[2], 1);
+  const auto albedo = lustro::read_image(work() / "out.albedo.png", lustro::Transfer::none);
+  ASSERT_TRUE(albedo.has_value());
+  EXPECT_NEAR(albedo->at(16, 12)[1], 0.89, 0.003);  // jade's k_d, which is stated encoded
+}
+
 TEST_F(RenderCommand, LayersAreExrChannelsOrOnePngEach) {
   const Outcome outcome = lustro({"render", "scene.json", "--aov", "diffuse,normal,depth,light:1", "-o", "out.exr", "-o", "out.png"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
