@@ -38,6 +38,15 @@ Direction preset(ViewPreset view) {
   return {{0, 0, 1}, y};
 }
 
+// v turned as y is turned onto `up`, by the smallest rotation (Rodrigues): with z up, front looks along +y, as in CAD.
+Vec3d turn_up(const Vec3d& v, const Vec3d& up) {
+  const Vec3d axis = cross(Vec3d{0, 1, 0}, up);
+  if (up.y < -1 + 1e-9) {
+    return {v.x, -v.y, -v.z};
+  }
+  return (v * up.y + cross(axis, v)) + axis * (dot(axis, v) / (1 + up.y));
+}
+
 // The smallest and largest distance of the scene along the view direction.
 struct DepthRange {
   double nearest, farthest;
@@ -114,16 +123,16 @@ Framing frame(const View& view, const Extent& extent, double tan_x, double tan_y
   return framing;
 }
 
-Result<void> choose_axes(View& view, const Camera& camera, const Vec3d& to_target, const Vec3d& default_up) {
+Result<void> choose_axes(View& view, const std::optional<Vec3d>& stated_up, const Vec3d& to_target, const Vec3d& default_up) {
   const double distance = length(to_target);
   if (!(distance > 0) || !std::isfinite(distance)) {
     return fail(ErrorKind::usage, "camera.eye", "the eye is at the target, so there is no direction to look in");
   }
   view.forward = to_target * (1 / distance);
-  Vec3d up = camera.up.value_or(default_up);
+  Vec3d up = stated_up.value_or(default_up);
   const double up_length = length(up);
   Vec3d right = cross(view.forward, up);
-  if (!camera.up && length(right) <= 1e-9 * up_length) {  // looking straight up or down: any fixed choice
+  if (!stated_up && length(right) <= 1e-9 * up_length) {  // looking straight up or down: any fixed choice
     up = {0, 0, view.forward.y > 0 ? 1.0 : -1.0};
     right = cross(view.forward, up);
   }
@@ -161,9 +170,13 @@ Result<View> make_view(const Camera& camera, const ImageSettings& image, const E
   const double tan_y = tangent(radians(camera.fov) / 2);
 
   view.target = camera.target.value_or(extent.bounds.center());
-  const Direction direction = preset(camera.view);
+  Direction direction = preset(camera.view);
+  if (camera.up && length(*camera.up) > 0) {  // named views mean the sides of the scene as it stands upright
+    const Vec3d up = normalize(*camera.up);
+    direction = {turn_up(direction.to_eye, up), turn_up(direction.up, up)};
+  }
   const Vec3d to_target = camera.eye ? view.target - *camera.eye : -direction.to_eye;
-  if (auto axes = choose_axes(view, camera, to_target, camera.eye ? Vec3d{0, 1, 0} : direction.up); !axes) {
+  if (auto axes = choose_axes(view, camera.eye ? camera.up : std::nullopt, to_target, camera.eye ? Vec3d{0, 1, 0} : direction.up); !axes) {
     return tl::unexpected(axes.error());
   }
   const Framing framing = frame(view, extent, tan_y * aspect, tan_y, aspect, !camera.eye && !camera.target);

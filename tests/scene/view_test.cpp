@@ -90,6 +90,18 @@ TEST(View, PresetsLookFromTheirSide) {
   EXPECT_GT(view_of({}, bounds).eye.y, 0) << "three-quarter looks down a little";
 }
 
+TEST(View, NamedViewsTurnWithUp) {
+  const Bounds bounds = box({-1, -1, -1}, {1, 1, 1});
+  const View front = view_of({.view = ViewPreset::front, .up = Vec3d{0, 0, 2}}, bounds);
+  EXPECT_NEAR(length(front.forward - Vec3d{0, 1, 0}), 0, 1e-12) << "as in CAD";
+  EXPECT_NEAR(length(front.up - Vec3d{0, 0, 1}), 0, 1e-12);
+  const View top = view_of({.view = ViewPreset::top, .up = Vec3d{0, 0, 1}}, bounds);
+  EXPECT_NEAR(length(top.forward - Vec3d{0, 0, -1}), 0, 1e-12);
+  EXPECT_NEAR(length(top.up - Vec3d{0, 1, 0}), 0, 1e-12);
+  const View below = view_of({.view = ViewPreset::front, .up = Vec3d{0, -1, 0}}, bounds);
+  EXPECT_NEAR(length(below.up - Vec3d{0, -1, 0}), 0, 1e-12);
+}
+
 TEST(View, ImpossibleCamerasAreErrors) {
   const Bounds bounds = box({-1, -1, -1}, {1, 1, 1});
   const auto error_of = [&](const Camera& camera) {
