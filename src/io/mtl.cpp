@@ -239,9 +239,6 @@ Material MtlReader::settle(OpenMaterial& open) {
   } else if (open.transparency) {
     material.opacity = options_.transparency_is_tr ? *open.transparency : 1 - *open.transparency;
   }
-  if (material.opacity < 1) {
-    notes_.add(0, "materials that are not opaque (d or Tr) are drawn opaque");
-  }
   return std::move(material);
 }
 
