@@ -122,6 +122,16 @@ TEST(View, APointAndAnEmptySceneStillGiveACamera) {
   EXPECT_TRUE(std::isfinite(view_of({.projection = Projection::orthographic}, Bounds{}).pixels_per_unit));
 }
 
+TEST(View, AFlatSceneSeenStraightOnLiesWellBetweenThePlanes) {
+  for (const double distance : {0.01, 3.0, 1e4}) {
+    const Camera camera{.projection = Projection::orthographic, .eye = Vec3d{0, 0, distance}, .target = Vec3d{0, 0, 0}};
+    const View view = view_of(camera, box({-1, -1, 0}, {1, 1, 0}));
+    const auto depth = static_cast<float>(distance);
+    EXPECT_GT(depth - view.depth_near, 1e-6F * depth) << distance;
+    EXPECT_GT(view.depth_far - depth, 1e-6F * depth) << distance;
+  }
+}
+
 TEST(View, AnEyeInsideTheSceneHasAPositiveNearPlane) {
   const View view = view_of({.eye = Vec3d{0, 0, 0}, .target = Vec3d{0, 0, -1}}, box({-10, -10, -10}, {10, 10, 10}));
   EXPECT_GT(view.near, 0);
