@@ -120,6 +120,26 @@ ExitCode refuse_unknown_subcommand(const std::string& word, const CommandLine& l
                 "");
 }
 
+/// `--fov: its value is missing` for `--fov: 1 required N missing`, and so on.
+std::string plainly_said(const CLI::ParseError& error) {
+  const std::string text = error.what();
+  const std::string option = text.substr(0, text.find(':'));
+  if (const std::size_t end = text.find(" was given a disallowed flag override"); end != std::string::npos) {
+    return fmt::format("--{}: is a switch and takes no value", text.substr(0, end));
+  }
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+    return text.ends_with("missing") ? option + ": its value is missing" : option + ": may be stated only once";
+  }
+  if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr && text.starts_with("Could not convert: ")) {
+    const std::size_t equals = text.find(" = ");
+    const std::size_t begin = std::string("Could not convert: ").size();
+    if (equals != std::string::npos) {
+      return fmt::format("{}: `{}` is not a number", text.substr(begin, equals - begin), text.substr(equals + 3));
+    }
+  }
+  return text;
+}
+
 /// What CLI11 found wrong, in our words.
 ExitCode refuse_parse(const CommandLine& line, const CLI::ParseError& error) {
   const Command* command = chosen_command(line);
@@ -134,9 +154,13 @@ ExitCode refuse_parse(const CommandLine& line, const CLI::ParseError& error) {
     if (word == "--") {
       continue;
     }
-    return command == nullptr ? refuse_unknown_subcommand(word, line) : refuse(fmt::format("`{}` is one argument too many", word), name);
+    if (command == nullptr) {
+      return refuse_unknown_subcommand(word, line);
+    }
+    const bool takes_output = command->app->get_option_no_throw("--output") != nullptr;
+    return refuse(fmt::format("`{}` is one argument too many{}", word, takes_output ? "; -o names the output" : ""), name);
   }
-  return refuse(error.what(), name);
+  return refuse(plainly_said(error), name);
 }
 
 ExitCode run_command(const Command& command) {

@@ -153,7 +153,7 @@ SceneFlags add_scene_flags(CLI::App& app) {
       }
       result.flags.push_back({std::string(field.flag), add_field(app, field, heading)});
       if (field.kind == ValueKind::lights) {
-        result.no_lights = app.add_flag("--no-lights", no_lights_description)->group(heading);
+        result.no_lights = app.add_flag("--no-lights", no_lights_description)->disable_flag_override()->group(heading);
       }
     }
   }

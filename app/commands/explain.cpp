@@ -51,7 +51,9 @@ Command make_explain(CommandLine& line, Session& session) {
   app->add_option("X", flags->x, "The pixel's column, 0 is the left one")->type_name("N")->required();
   app->add_option("Y", flags->y, "The pixel's row, 0 is the top one")->type_name("N")->required();
   flags->scene_flags = add_scene_flags(*app);
-  app->add_flag("--mtl-tr", flags->mtl_tr, "A lone Tr in an MTL file is the opacity, as 3ds Max writes it, not 1 - opacity")->group("Input");
+  app->add_flag("--mtl-tr", flags->mtl_tr, "A lone Tr in an MTL file is the opacity, as 3ds Max writes it, not 1 - opacity")
+      ->disable_flag_override()
+      ->group("Input");
   return {app,
           {{"lustro explain scene.json 400 300", "why that pixel has its colour"},
            {"lustro explain bunny.ply 512 384 --lighting blinn-phong --json", "with flags as of `lustro render`, for a script"}},

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "app/commands.hpp"
@@ -66,6 +67,23 @@ Json render_json(const RenderFlags& flags, const Scene& scene, const Rendering& 
           {"notes", json_notes(notes)}};
 }
 
+/// A line for each picture, and one for all their layers.
+void say_what_was_written(const Session& session, const std::vector<std::string>& outputs, const std::vector<std::string>& written,
+                          const ImageSettings& image, const Rendering& rendering, double seconds) {
+  std::string layers;
+  for (const std::string& file : written) {
+    if (std::find(outputs.begin(), outputs.end(), file) == outputs.end()) {
+      layers += (layers.empty() ? "" : ", ") + file;
+    } else if (file != kStdout) {
+      say(session,
+          fmt::format("wrote {} ({} x {}, {} triangles, {:.2f} s)", file, image.width, image.height, rendering.stats.triangles, seconds));
+    }
+  }
+  if (!layers.empty()) {
+    say(session, fmt::format("wrote its layers {}", layers));
+  }
+}
+
 Result<ExitCode> run_render(const Session& session, const RenderFlags& flags) {
   if (const Result<void> checked = check_flags(session, flags); !checked) {
     return tl::unexpected(checked.error());
@@ -120,12 +138,7 @@ Result<ExitCode> run_render(const Session& session, const RenderFlags& flags) {
     return tl::unexpected(written.error());
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  for (const std::string& file : *written) {
-    if (file != kStdout) {
-      say(session, fmt::format("wrote {} ({} x {}, {} triangles, {:.2f} s)", file, scene.image.width, scene.image.height,
-                               rendering->stats.triangles, seconds));
-    }
-  }
+  say_what_was_written(session, outputs, *written, scene.image, *rendering, seconds);
   if (session.json) {
     return print_json(render_json(flags, scene, *rendering, *written, notes)).map([] { return ExitCode::success; });
   }
@@ -162,10 +175,14 @@ Command make_render(CommandLine& line, Session& session) {
       ->type_name("LIST")
       ->group(output);
   app->add_option("--png-level", flags->png_level, "Compression of PNG, 0 (none) to 12 (slow) (default: 6)")->type_name("N")->group(output);
-  app->add_flag("--allow-empty", flags->allow_empty, "Writes the picture even if nothing was drawn in it")->group(output);
+  app->add_flag("--allow-empty", flags->allow_empty, "Writes the picture even if nothing was drawn in it")
+      ->disable_flag_override()
+      ->group(output);
   app->add_flag("--print-scene", flags->print_scene, "Draws nothing; prints the scene file with all flags laid over it")->group(output);
   flags->scene_flags = add_scene_flags(*app);
-  app->add_flag("--mtl-tr", flags->mtl_tr, "A lone Tr in an MTL file is the opacity, as 3ds Max writes it, not 1 - opacity")->group("Input");
+  app->add_flag("--mtl-tr", flags->mtl_tr, "A lone Tr in an MTL file is the opacity, as 3ds Max writes it, not 1 - opacity")
+      ->disable_flag_override()
+      ->group("Input");
   return {app,
           {{"lustro render bunny.ply --material jade --view front -o jade.png", "a mesh in a classic material, from the front"},
            {"lustro render scene.json --size 1920x1080 --samples 16 -o big.png", "a scene, larger and smoother than its file says"},

@@ -25,7 +25,7 @@ TEST_F(CommandLine, VersionIsOneLineOnStdout) {
 TEST_F(CommandLine, HelpNamesEverySubcommandAndEveryExitCode) {
   const Outcome outcome = lustro({"--help"});
   EXPECT_EQ(outcome.code, 0);
-  for (const char* name : {"materials", "completions", "man"}) {
+  for (const char* name : {"render", "info", "explain", "compare", "materials", "schema", "glsl", "completions", "man"}) {
     EXPECT_THAT(outcome.out, HasSubstr(std::string("\n  ") + name)) << name;
   }
   EXPECT_THAT(outcome.out, HasSubstr("Exit codes:"));
@@ -34,7 +34,7 @@ TEST_F(CommandLine, HelpNamesEverySubcommandAndEveryExitCode) {
 }
 
 TEST_F(CommandLine, HelpKeepsToTheWidth) {
-  for (const char* name : {"materials", "completions", "man"}) {
+  for (const char* name : {"render", "info", "explain", "compare", "materials", "schema", "glsl", "completions", "man"}) {
     const Outcome outcome = run_program({"env", "COLUMNS=70", LUSTRO_COMMAND, name, "--help"});
     EXPECT_EQ(outcome.code, 0);
     EXPECT_THAT(outcome.out, HasSubstr("Examples:")) << name;
@@ -153,6 +153,39 @@ TEST_F(BashCompletion, OffersSubcommandsFlagsAndWords) {
   EXPECT_EQ(offered({"lustro", "completions", "z"}), "zsh\n");
   EXPECT_EQ(offered({"lustro", "man", "--th"}), "--threads\n");
   EXPECT_EQ(offered({"lustro", "--threads", "4", "man", "--qu"}), "--quiet\n");
+}
+
+TEST_F(BashCompletion, AFileInPlaceOfASubcommandMeansRender) {
+  EXPECT_THAT(offered({"lustro", "bunny.ply", "--inter"}), HasSubstr("--interpolation\n"));
+  EXPECT_EQ(offered({"lustro", "bunny.ply", "--interpolation", "g"}), "gouraud\n");
+  EXPECT_THAT(offered({"lustro", "render", "--material", "polished_"}), HasSubstr("polished_gold\n"));
+}
+
+TEST_F(CommandLine, FishOffersSubcommandsAndWords) {
+  if (!has_program("fish")) {
+    GTEST_SKIP() << "fish is not installed";
+  }
+  write_text(work() / "lustro.fish", lustro({"completions", "fish"}).out);
+  const auto offered = [&](const std::string& line) {
+    return run_program({"env", "HOME=" + work().string(), "fish", "--no-config", "-c", "source lustro.fish; complete -C '" + line + "'"}).out;
+  };
+  EXPECT_THAT(offered("lustro comp"), HasSubstr("completions\t"));
+  EXPECT_THAT(offered("lustro completions z"), StartsWith("zsh"));
+  EXPECT_THAT(offered("lustro render --inter"), HasSubstr("--interpolation\t"));
+  EXPECT_THAT(offered("lustro render --interpolation g"), HasSubstr("gouraud"));
+  EXPECT_THAT(offered("lustro bunny.ply --inter"), HasSubstr("--interpolation\t"));
+}
+
+TEST_F(CommandLine, ZshLoadsItsCompletion) {
+  if (!has_program("zsh")) {
+    GTEST_SKIP() << "zsh is not installed";
+  }
+  write_text(work() / "_lustro", lustro({"completions", "zsh"}).out);
+  const Outcome outcome = run_program({"env", "HOME=" + work().string(), "zsh", "-f", "-c",
+                                       "fpath=($PWD $fpath); autoload -U compinit; compinit -D -u; print $_comps[lustro]; autoload +X _lustro"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "_lustro\n");
+  EXPECT_THAT(outcome.err, IsEmpty());
 }
 
 TEST_F(CommandLine, TheManPageIsGoodRoff) {

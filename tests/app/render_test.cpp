@@ -202,6 +202,11 @@ TEST_F(RenderCommand, LayersAreExrChannelsOrOnePngEach) {
   }
   EXPECT_THAT(files(), ElementsAre("out.depth.png", "out.diffuse.png", "out.exr", "out.light-1.png", "out.normal.png", "out.png", "scene.json",
                                    "square.obj"));
+  // The square faces +z: (0, 0, 1) is shown as (0.5, 0.5, 1), stored as it stands.
+  const auto normal = lustro::read_image(work() / "out.normal.png", lustro::Transfer::none);
+  ASSERT_TRUE(normal);
+  EXPECT_NEAR(normal->at(16, 12)[0], 0.5, 0.5 / 255 + 1e-6);
+  EXPECT_NEAR(normal->at(16, 12)[2], 1, 1e-6);
   const Outcome wrong = lustro({"render", "scene.json", "--aov", "difuse", "-o", "wrong.exr"});
   EXPECT_EQ(wrong.code, 2);
   EXPECT_THAT(wrong.err, HasSubstr("--aov"));
@@ -279,6 +284,10 @@ struct Refusal {
   std::string message;
 };
 
+void PrintTo(const Refusal& refusal, std::ostream* out) {
+  *out << refusal.name;
+}
+
 class Refused : public RenderCommand, public ::testing::WithParamInterface<Refusal> {};
 
 TEST_P(Refused, WithTheRightCodeAndWordsAndNoFile) {
@@ -322,8 +331,14 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"SizeWithoutX", {"render", "scene.json", "--size", "800"}, 2, "--size: `800` is not WIDTHxHEIGHT"},
         Refusal{"SizeTooLarge", {"render", "scene.json", "--size", "20000x10"}, 2, "20000 is outside 1..16384"},
         Refusal{"FovTooLarge", {"render", "scene.json", "--fov", "180"}, 2, "--fov: 180 is not more than 0 and less than 180"},
+        Refusal{"NoValue", {"render", "scene.json", "--fov"}, 2, "--fov: its value is missing"},
+        Refusal{"TwoValues", {"render", "scene.json", "--fov", "30", "--fov", "40"}, 2, "--fov: may be stated only once"},
+        Refusal{"ASwitchWithANumber", {"render", "scene.json", "--no-lights=3"}, 2, "--no-lights: is a switch and takes no value"},
+        Refusal{"BitsAsAWord", {"render", "scene.json", "--bits", "many"}, 2, "--bits: `many` is not a number"},
+        Refusal{"AbsentLight", {"render", "scene.json", "--aov", "light:7", "-o", "o.exr"}, 2, "light:7"},
         Refusal{"OutputTwice", {"render", "scene.json", "-o", "o.png", "-o", "o.png"}, 2, "o.png is named twice"},
-        Refusal{"TwoScenes", {"render", "scene.json", "square.obj", "-o", "o.png"}, 2, "`square.obj` is one argument too many"},
+        Refusal{
+            "TwoScenes", {"render", "scene.json", "square.obj", "-o", "o.png"}, 2, "`square.obj` is one argument too many; -o names the output"},
         Refusal{"NoScene", {"render"}, 2, "SCENE is required"}),
     [](const auto& refusal) { return refusal.param.name; });
 
