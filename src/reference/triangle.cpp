@@ -16,7 +16,7 @@ constexpr float kGuardBand = 24576;
 
 // A corner before projection. For an orthographic view x and y are pixels already and depth is not divided by.
 struct ClipVertex {
-  float x, y, depth;
+  float x = 0, y = 0, depth = 0;
   Vec3f weights;
 };
 

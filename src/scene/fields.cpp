@@ -173,7 +173,7 @@ struct FromText {
       return {};
     }
     V read = value.value_or(V{});
-    const Result<void> done = (*this)(read);
+    Result<void> done = (*this)(read);
     if (done) {
       value = std::move(read);
     }

@@ -105,7 +105,7 @@ std::vector<double> css_numbers(std::string_view inside) {
 constexpr double kLargestFloat = static_cast<double>(std::numeric_limits<float>::max());
 
 /// A decimal text with a sign and a dot where JSON would else lose that it is -0.
-std::string with_signed_zero(std::string text) {
+std::string with_signed_zero(const std::string& text) {
   return text == "-0" ? "-0.0" : text;
 }
 

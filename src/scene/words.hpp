@@ -32,10 +32,10 @@ template <class E>
 inline constexpr bool TermSet::*kTermMembers[] = {&TermSet::ambient, &TermSet::diffuse, &TermSet::specular, &TermSet::emission};
 
 /// The entry of that word, or nullptr.
-[[nodiscard]] const Word* find_word(std::span<const Word> table, std::string_view word);
+[[nodiscard]] const Word* find_word(std::span<const Word> table, std::string_view text);
 
 /// `unknown word "blin-phong", did you mean "blinn-phong"? (known: constant, lambert, phong, blinn-phong)`
-[[nodiscard]] std::string unknown_word_message(std::span<const Word> table, std::string_view word);
+[[nodiscard]] std::string unknown_word_message(std::span<const Word> table, std::string_view text);
 
 /// `constant, lambert, phong, blinn-phong`
 [[nodiscard]] std::string word_list(std::span<const Word> table);
