@@ -35,16 +35,16 @@ struct SourceMesh {
   std::vector<Vec3f> positions;  ///< V x 3, object space; may hold non-finite values until validate() drops them
   std::vector<Vec3f> normals;    ///< as written, of any length
   std::vector<Vec2f> uvs;
-  std::vector<Vec3f> colors;     ///< V x 3 (one a position) or empty; `encoded`, 0..1
+  std::vector<Vec3f> colors;       ///< V x 3 (one a position) or empty; `encoded`, 0..1
   std::vector<Vec3f> face_colors;  ///< F x 3 or empty; `encoded`, 0..1
 
-  std::vector<std::uint32_t> face_begin{0};     ///< F + 1: face f has the corners face_begin[f] .. face_begin[f + 1]
-  std::vector<std::uint32_t> corner_position;   ///< C
-  std::vector<std::uint32_t> corner_normal;     ///< C or empty; kNone where the corner has none
-  std::vector<std::uint32_t> corner_uv;         ///< C or empty; kNone where the corner has none
-  std::vector<std::uint32_t> face_smoothing;    ///< F or empty (no `s` statement: all smooth); 0 is off
-  std::vector<std::uint32_t> face_material;     ///< F or empty; an index into materials, or kNone
-  std::vector<std::uint32_t> face_object;       ///< F or empty; an index into objects
+  std::vector<std::uint32_t> face_begin{0};    ///< F + 1: face f has the corners face_begin[f] .. face_begin[f + 1]
+  std::vector<std::uint32_t> corner_position;  ///< C
+  std::vector<std::uint32_t> corner_normal;    ///< C or empty; kNone where the corner has none
+  std::vector<std::uint32_t> corner_uv;        ///< C or empty; kNone where the corner has none
+  std::vector<std::uint32_t> face_smoothing;   ///< F or empty (no `s` statement: all smooth); 0 is off
+  std::vector<std::uint32_t> face_material;    ///< F or empty; an index into materials, or kNone
+  std::vector<std::uint32_t> face_object;      ///< F or empty; an index into objects
 
   std::vector<Material> materials;
   std::vector<std::string> objects;  ///< names of the o and g records, solids, ...
@@ -60,13 +60,13 @@ struct SourceMesh {
 /// Indexed triangles with everything that drawing needs. One vertex has one position, normal, uv and colour: where faces do not
 /// share a normal (crease, smoothing groups), the vertex is there twice.
 struct Mesh {
-  std::vector<Vec3f> positions;                        ///< V x 3, object space, finite
-  std::vector<Vec3f> normals;                          ///< V x 3, unit; empty: prepare() makes them by the scene's `vertex_normals`
-  std::vector<Vec2f> uvs;                              ///< V x 2 or empty
-  std::vector<Vec3f> colors;                           ///< V x 3 or empty; `encoded`; multiply ambient and diffuse
-  std::vector<std::array<std::uint32_t, 3>> triangles; ///< T, counter-clockwise seen from the front
-  std::vector<std::uint32_t> triangle_material;        ///< T or empty (all 0); an index into materials
-  std::vector<Material> materials;                     ///< empty: the default material
+  std::vector<Vec3f> positions;                         ///< V x 3, object space, finite
+  std::vector<Vec3f> normals;                           ///< V x 3, unit; empty: prepare() makes them by the scene's `vertex_normals`
+  std::vector<Vec2f> uvs;                               ///< V x 2 or empty
+  std::vector<Vec3f> colors;                            ///< V x 3 or empty; `encoded`; multiply ambient and diffuse
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< T, counter-clockwise seen from the front
+  std::vector<std::uint32_t> triangle_material;         ///< T or empty (all 0); an index into materials
+  std::vector<Material> materials;                      ///< empty: the default material
 
   [[nodiscard]] Bounds bounds() const;  ///< of the positions that triangles use
 };

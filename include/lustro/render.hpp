@@ -18,18 +18,23 @@ namespace lustro {
 /// What can be drawn beside the colour picture. Exactly: colour = ((((ambient + diffuse) + specular) + emission) + fog) + background in
 /// every pixel and channel; the layers of all lights and `scene` sum to ambient + diffuse + specular + emission up to float rounding.
 enum class AovKind : std::uint8_t {
-  ambient, diffuse, specular, emission, fog, background,
-  light,        ///< one light's ambient + diffuse + specular; `light:0`, `light:1`, ..., `light:*`
-  scene,        ///< the scene's ambient light and emission: what no light brings
-  depth,        ///< distance along the view direction, world units; infinity on the background
-  normal,       ///< the normal that was lit, world, unit; 0 on the background
-  position,     ///< world
-  albedo,       ///< k_d, linear
-  object,       ///< index of the object; -1 on the background
-  material,     ///< index into PreparedScene's materials; -1 on the background
-  triangle,     ///< index within the object's mesh; -1 on the background
-  barycentrics, ///< perspective-correct weights of the triangle's three vertices
-  mask,         ///< share of the pixel's samples that are covered
+  ambient,
+  diffuse,
+  specular,
+  emission,
+  fog,
+  background,
+  light,         ///< one light's ambient + diffuse + specular; `light:0`, `light:1`, ..., `light:*`
+  scene,         ///< the scene's ambient light and emission: what no light brings
+  depth,         ///< distance along the view direction, world units; infinity on the background
+  normal,        ///< the normal that was lit, world, unit; 0 on the background
+  position,      ///< world
+  albedo,        ///< k_d, linear
+  object,        ///< index of the object; -1 on the background
+  material,      ///< index into PreparedScene's materials; -1 on the background
+  triangle,      ///< index within the object's mesh; -1 on the background
+  barycentrics,  ///< perspective-correct weights of the triangle's three vertices
+  mask,          ///< share of the pixel's samples that are covered
 };
 
 struct Aov {
@@ -51,20 +56,21 @@ struct RenderOptions {
 };
 
 struct RenderStats {
-  std::uint64_t triangles = 0;         ///< in the scene
-  std::uint64_t triangles_drawn = 0;   ///< after clipping, not degenerate on the image, inside it
-  std::uint64_t pixels_covered = 0;    ///< with at least one covered sample; 0: nothing was drawn
+  std::uint64_t triangles = 0;        ///< in the scene
+  std::uint64_t triangles_drawn = 0;  ///< after clipping, not degenerate on the image, inside it
+  std::uint64_t pixels_covered = 0;   ///< with at least one covered sample; 0: nothing was drawn
 };
 
 struct Rendering {
-  Image color;  ///< H x W x 4, linear light (or as it stands with transfer `none`), alpha premultiplied
+  Image color;                ///< H x W x 4, linear light (or as it stands with transfer `none`), alpha premultiplied
   std::vector<Layer> layers;  ///< one an AOV, in the order asked for (`light:*` unfolds)
   RenderStats stats;
   Notes notes;
 };
 
 /// Draws the scene with the reference renderer. Equal scenes give equal bits, whatever the number of threads and the machine.
-/// errors  usage where the scene does not fit together (an object without a mesh, eye and target equal, ...); limit; empty where there is nothing
+/// errors  usage where the scene does not fit together (an object without a mesh, eye and target equal, ...); limit; empty where there is
+/// nothing
 ///         to draw at all
 [[nodiscard]] Result<Rendering> render(const Scene& scene, const RenderOptions& options = {});
 
@@ -72,9 +78,9 @@ struct Rendering {
 struct LightExplanation {
   int light = 0;
   std::string name;
-  Vec3f to_light;      ///< L, unit
-  Vec3f reflected;     ///< R = 2 (N.L) N - L
-  Vec3f half;          ///< H = (L + V) / |L + V|
+  Vec3f to_light;   ///< L, unit
+  Vec3f reflected;  ///< R = 2 (N.L) N - L
+  Vec3f half;       ///< H = (L + V) / |L + V|
   float distance = 0;
   float n_dot_l = 0, r_dot_v = 0, n_dot_h = 0;
   float attenuation = 1, spot = 1;  ///< f_i, s_i
@@ -83,10 +89,10 @@ struct LightExplanation {
 
 /// One evaluation of the lighting equation: a pixel's for `phong`, a face's for `flat`, a vertex's for `gouraud`.
 struct ShadingExplanation {
-  float weight = 1;  ///< of this evaluation in the fragment: 1, or the vertex's barycentric coordinate
-  Vec3f position;    ///< world
-  Vec3f normal;      ///< N, world, unit, already turned round where two_sided asks for it
-  Vec3f to_eye;      ///< V, unit
+  float weight = 1;                            ///< of this evaluation in the fragment: 1, or the vertex's barycentric coordinate
+  Vec3f position;                              ///< world
+  Vec3f normal;                                ///< N, world, unit, already turned round where two_sided asks for it
+  Vec3f to_eye;                                ///< V, unit
   Vec3f ambient, diffuse, specular, emission;  ///< sums over the lights (clamped at the vertex for `gouraud`)
   Vec3f scene_ambient;                         ///< k_a I_a, part of ambient
   std::vector<LightExplanation> lights;
@@ -112,7 +118,8 @@ struct FragmentExplanation {
   float fog_factor = 1;
 };
 
-/// The pixel taken apart. `color` equals the rendered pixel bit for bit, and ambient + ... + background, in AovKind's order, equals `color`'s rgb.
+/// The pixel taken apart. `color` equals the rendered pixel bit for bit, and ambient + ... + background, in AovKind's order, equals `color`'s
+/// rgb.
 struct Explanation {
   int x = 0, y = 0;
   Interpolation interpolation = Interpolation::phong;
