@@ -25,10 +25,18 @@ namespace {
 
 using Draw = ByteImage (*)(GlContext&, const Scene&);
 
+/// What LeakSanitizer finds in Mesa is Mesa's.
+extern "C" const char* __lsan_default_suppressions() {
+  return "leak:libOSMesa\nleak:libLLVM\n";
+}
+
 /// Compares scene after scene, says how each one did and keeps the worst as a picture.
 class Judge {
  public:
   Judge(std::string name, Draw draw) : name_(std::move(name)), draw_(draw) {}
+
+  /// Whether the next scene is one that is looked at.
+  [[nodiscard]] bool wants_next() { return count_++ % truth::scene_stride() == 0; }
 
   void look_at(const std::string& scene_name, const Scene& scene, bool is_told) {
     const ByteImage peer = draw_(context_, scene);
@@ -67,6 +75,7 @@ class Judge {
   std::string name_;
   Draw draw_;
   GlContext context_;
+  std::size_t count_ = 0;
   int scenes_ = 0;
   long pixels_ = 0, over_ = 0, worst_badness_ = -1;
   int worst_ = 0;
@@ -81,6 +90,9 @@ TEST_P(OpenGL, FixedFunctionDrawsTheSameGouraud) {
   for (const PeerScene& peer : fixed_function_scenes(GetParam())) {
     for (const Lighting lighting : {Lighting::blinn_phong, Lighting::lambert}) {
       for (const bool two_sided : {false, true}) {
+        if (!judge.wants_next()) {
+          continue;
+        }
         Scene scene = peer.scene;
         scene.shading.lighting = lighting;
         scene.shading.two_sided = two_sided;
@@ -116,7 +128,7 @@ TEST_P(OpenGL, ShadersDrawTheSame) {
   for (const PeerScene& peer : scenes) {
     for (const Interpolation interpolation : {Interpolation::flat, Interpolation::gouraud, Interpolation::phong}) {
       for (const Lighting lighting : {Lighting::phong, Lighting::blinn_phong, Lighting::lambert}) {
-        if (lighting == Lighting::lambert && turn % 4 != 0) {
+        if ((lighting == Lighting::lambert && turn % 4 != 0) || !judge.wants_next()) {
           ++turn;
           continue;
         }

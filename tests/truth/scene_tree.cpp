@@ -79,7 +79,7 @@ const std::vector<TreeScene>& scene_tree() {
   return tree;
 }
 
-std::vector<const TreeScene*> chosen_scenes() {
+std::size_t scene_stride() {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   std::size_t stride = 7;
 #elif defined(__has_feature)
@@ -94,8 +94,12 @@ std::vector<const TreeScene*> chosen_scenes() {
   if (const char* text = std::getenv("LUSTRO_TREE_STRIDE"); text != nullptr && std::atoi(text) > 0) {
     stride = static_cast<std::size_t>(std::atoi(text));
   }
+  return stride;
+}
+
+std::vector<const TreeScene*> chosen_scenes() {
   std::vector<const TreeScene*> chosen;
-  for (std::size_t i = 0; i < scene_tree().size(); i += stride) {
+  for (std::size_t i = 0; i < scene_tree().size(); i += scene_stride()) {
     chosen.push_back(&scene_tree()[i]);
   }
   return chosen;

@@ -3,6 +3,8 @@
 // any renderer can be held against any judge on it.
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,7 +21,10 @@ struct TreeScene {
 /// The whole tree, always in the same order.
 [[nodiscard]] const std::vector<TreeScene>& scene_tree();
 
-/// What of the tree a test looks at: every n-th scene, n from the environment variable LUSTRO_TREE_STRIDE, else 1 (7 under sanitizers).
+/// Tests of many scenes look at every n-th: n from the environment variable LUSTRO_TREE_STRIDE, else 1 (7 under sanitizers).
+[[nodiscard]] std::size_t scene_stride();
+
+/// The scenes of the tree that tests look at.
 [[nodiscard]] std::vector<const TreeScene*> chosen_scenes();
 
 /// A mesh that a scene file can name: `primitive:sphere:16`.
