@@ -57,6 +57,7 @@ TEST(Power, FollowsTheConventionsOfLighting) {
   EXPECT_EQ(power(0.5F, 0.0F), 1.0F);
   EXPECT_EQ(power(-1.0F, 0.0F), 1.0F);
   EXPECT_EQ(power(0.0F, 5.0F), 0.0F);
+  EXPECT_EQ(power(0.0F, 0.125F), 0.0F);
   EXPECT_EQ(power(-0.5F, 2.0F), 0.0F);
   EXPECT_EQ(power(1.0F, 1000.0F), 1.0F);
   EXPECT_GT(power(0.0F, -2.0F), 1e38F);

@@ -178,7 +178,9 @@ TEST(Lighting, TheGateIsAStepNotAFade) {  // a hair in front of the surface the 
 }
 
 TEST(Lighting, LightAndEyeOppositeHaveNoHalfway) {  // H does not exist: no highlight, and no NaN
-  EXPECT_EQ(highlight_of(Lighting::blinn_phong, surface({0, 0, 1}, -leaning(30)), 5, sun(leaning(30))), 0.0F);
+  const Surface<float> s = surface({0, 0, 1}, -leaning(30));
+  EXPECT_EQ(n_dot_h(s, leaning(30)), 0.0F);
+  EXPECT_EQ(highlight_of(Lighting::blinn_phong, s, 5, sun(leaning(30))), 0.0F);
 }
 
 TEST(Lighting, LambertHasNoHighlightAndIsOtherwiseTheSame) {
