@@ -121,7 +121,7 @@ struct LoadOptions {
 /// The scene that a JSON text describes, meshes not loaded yet (Object::source names them).
 /// file    only for messages
 /// errors  malformed, with the line and column of broken JSON or the path of the key; usage for an unknown library material
-[[nodiscard]] Result<Scene> parse_scene(std::string_view json, const std::string& file = "scene");
+[[nodiscard]] Result<Scene> parse_scene(std::string_view text, const std::string& file = "scene");
 
 /// Loads what the objects' `source` names, relative to `folder`, by the scene's shading options. Objects that have a mesh keep it. A file that
 /// two objects name is loaded once.

@@ -82,7 +82,7 @@ class TreeBuilder {
   bool number_unsigned(json::number_unsigned_t value) { return add(value) != nullptr; }
   bool number_float(json::number_float_t value, const std::string&) { return add(value) != nullptr; }
   bool string(std::string& value) { return add(std::move(value)) != nullptr; }
-  bool binary(json::binary_t&) { return false; }  // not in a text
+  static bool binary(json::binary_t&) { return false; }  // not in a text
 
   bool start_object(std::size_t) { return open(json::object()); }
   bool start_array(std::size_t) { return open(json::array()); }
