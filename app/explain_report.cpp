@@ -21,6 +21,9 @@ std::string columns(const Vec3f& v) {
 
 std::string row(int indent, const std::string& name, const std::string& value, const std::string& how = {}) {
   constexpr int kNameColumns = 22;
+  if (value.empty()) {
+    return fmt::format("{:{}}{}\n", "", indent, name);
+  }
   return fmt::format("{:{}}{:<{}}{}{}{}\n", "", indent, name, kNameColumns - indent, value, how.empty() ? "" : "   ", how);
 }
 
