@@ -37,7 +37,6 @@ std::string value_column(const FieldInfo& field) {
     case ValueKind::table:
       return "table";
     case ValueKind::lights:
-      return "list of tables";
     case ValueKind::objects:
       return "list of tables";
     case ValueKind::material:
