@@ -20,14 +20,14 @@ bool is_plain(std::string_view key) {
 
 }  // namespace
 
-std::string joined_path(std::string path, std::string_view key) {
+std::string joined_path(const std::string& path, std::string_view key) {
   if (!is_plain(key)) {
     return path + "[" + quote(key) + "]";
   }
   return path.empty() ? std::string(key) : path + "." + std::string(key);
 }
 
-std::string joined_path(std::string path, std::size_t index) {
+std::string joined_path(const std::string& path, std::size_t index) {
   return path + "[" + std::to_string(index) + "]";
 }
 

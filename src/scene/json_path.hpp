@@ -21,7 +21,7 @@ struct JsonPath {
 };
 
 /// One step appended to a path's text: `.key`, or `["odd key"]`.
-[[nodiscard]] std::string joined_path(std::string path, std::string_view key);
-[[nodiscard]] std::string joined_path(std::string path, std::size_t index);
+[[nodiscard]] std::string joined_path(const std::string& path, std::string_view key);
+[[nodiscard]] std::string joined_path(const std::string& path, std::size_t index);
 
 }  // namespace lustro

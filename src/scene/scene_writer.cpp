@@ -94,6 +94,7 @@ struct ToJson {
       return "[]";
     }
     std::vector<std::string> items;
+    items.reserve(list.size());
     for (const V& item : list) {
       items.push_back(fmt::format("\n{:{}}{}", "", indent + 2, table_json(item, indent + 2, shared)));
     }
