@@ -14,12 +14,12 @@ std::string why_empty(const Scene& scene, const RenderStats& stats) {
   if (stats.triangles == 0) {
     return "there is no triangle in it";
   }
-  if (stats.triangles_drawn == 0) {
+  if (stats.triangles_seen == 0) {
     return fmt::format("none of the {} triangles lies before the camera, between near and far, and inside the picture{}", stats.triangles,
                        scene.camera.eye ? "; without an eye the camera frames everything" : "");
   }
   return fmt::format("the {} triangles that lie in the picture fall between its samples: they are too small or seen edge-on",
-                     stats.triangles_drawn);
+                     stats.triangles_seen);
 }
 
 Rendering empty_rendering(const Scene& scene) {

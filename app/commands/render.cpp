@@ -62,7 +62,6 @@ Json render_json(const RenderFlags& flags, const Scene& scene, const Rendering& 
           {"height", scene.image.height},
           {"samples", scene.image.samples},
           {"triangles", rendering.stats.triangles},
-          {"triangles_drawn", rendering.stats.triangles_drawn},
           {"pixels_covered", rendering.stats.pixels_covered},
           {"notes", json_notes(notes)}};
 }

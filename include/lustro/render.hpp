@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -49,30 +50,81 @@ struct Aov {
 /// All the names that parse_aovs() knows, in their order.
 [[nodiscard]] std::span<const std::string_view> aov_names();
 
+/// Who draws. Both give the same bits.
+enum class Engine : std::uint8_t {
+  raster,     ///< tiles, lanes and threads
+  reference,  ///< slow and obvious: it defines what correct is
+};
+
+/// The instruction set whose row of kernels draws. All rows give the same bits.
+enum class Target : std::uint8_t { automatic, scalar, sse4, avx2, avx512, neon, wasm };
+
+/// The rows that this build has and this machine can run, the widest first.
+[[nodiscard]] std::span<const Target> available_targets();
+
+/// `scalar`, `sse4`, `avx2`, ...
+[[nodiscard]] std::string_view target_name(Target target);
+
+/// The opposite of target_name(), also `auto`.
+/// errors  usage for an unknown name, with the known ones; unsupported for a row that this machine cannot run, with those that it can
+[[nodiscard]] Result<Target> parse_target(std::string_view name);
+
 struct RenderOptions {
   int threads = 0;  ///< 0: one a core
   std::vector<Aov> aovs;
   std::function<void(double)> progress{};  ///< called with 0..1, from any thread, one call at a time
+  Engine engine = Engine::raster;
+  Target target = Target::automatic;  ///< of Engine::raster; automatic: the widest that the machine has
+  bool store_color = true;            ///< fill Rendering::color
+  bool store_bytes = false;           ///< fill Rendering::bytes
 };
 
 struct RenderStats {
-  std::uint64_t triangles = 0;        ///< in the scene
-  std::uint64_t triangles_drawn = 0;  ///< after clipping, not degenerate on the image, inside it
-  std::uint64_t pixels_covered = 0;   ///< with at least one covered sample; 0: nothing was drawn
+  std::uint64_t triangles = 0;       ///< in the scene
+  std::uint64_t triangles_seen = 0;  ///< inside the picture and not degenerate; counted only where no pixel is covered, to say why, else 0
+  std::uint64_t pixels_covered = 0;  ///< with at least one covered sample; 0: nothing was drawn
+};
+
+/// Where the time of one picture went, milliseconds. The last two are done tile by tile on all threads at once: their sum is the wall time of
+/// the tiles, divided between them as the threads' own time was.
+struct RenderTimes {
+  double prepare = 0;     ///< camera, matrices, lights; clusters of meshes that are new to the renderer
+  double cull = 0;        ///< clusters against the picture, and their tiles
+  double visibility = 0;  ///< vertices, triangles, depth
+  double shading = 0;     ///< light, samples to pixels, pixels to bytes
+  double total = 0;
 };
 
 struct Rendering {
   Image color;                ///< H x W x 4, linear light (or as it stands with transfer `none`), alpha premultiplied
+  ByteImage bytes;            ///< H x W x 4: what to_bytes(color) gives with the scene's transfer
   std::vector<Layer> layers;  ///< one an AOV, in the order asked for (`light:*` unfolds)
   RenderStats stats;
+  RenderTimes times;
   Notes notes;
 };
 
-/// Draws the scene with the reference renderer. Equal scenes give equal bits, whatever the number of threads and the machine.
+/// Draws a scene. Equal scenes give equal bits, whatever the engine, the target, the number of threads and the machine.
 /// errors  usage where the scene does not fit together (an object without a mesh, eye and target equal, ...); limit; empty where there is
-/// nothing
-///         to draw at all
+///         nothing to draw at all; unsupported for a target that this machine cannot run
 [[nodiscard]] Result<Rendering> render(const Scene& scene, const RenderOptions& options = {});
+
+/// Draws many pictures of the same meshes: what a mesh alone decides (its clusters, its check, missing normals) is kept from one picture to the
+/// next, for as long as the scene that is drawn holds the mesh. One picture at a time.
+class Renderer {
+ public:
+  Renderer();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+  ~Renderer();
+
+  /// As lustro::render(); the buffers of `result` are used again where they fit, so that pictures of one size need no new memory.
+  [[nodiscard]] Result<void> render(const Scene& scene, const RenderOptions& options, Rendering& result);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 /// One light's part in one shading.
 struct LightExplanation {

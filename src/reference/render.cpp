@@ -1,12 +1,9 @@
 // The reference renderer's table of contents. Slow and obvious: it defines what correct is.
-#include "lustro/render.hpp"
-
-#include <fmt/format.h>
+#include "reference/render.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <mutex>
-#include <new>
 
 #include "parallel/parallel_for.hpp"
 #include "reference/aov.hpp"
@@ -53,28 +50,22 @@ class Progress {
   std::mutex mutex_;
 };
 
-Result<Rendering> draw(const Scene& scene, const RenderOptions& options) {
-  const auto prepared = prepare(scene);  // scene/prepare.cpp
-  if (!prepared) {
-    return tl::unexpected(prepared.error());
-  }
-  const auto aovs = unfold_aovs(options.aovs, *prepared);  // reference/aov.cpp
+}  // namespace
+
+Result<void> render_reference(const PreparedScene& scene, const RenderOptions& options, Rendering& result) {
+  const auto aovs = unfold_aovs(options.aovs, scene);  // reference/aov.cpp
   if (!aovs) {
     return tl::unexpected(aovs.error());
   }
   const bool wants_lights = std::any_of(aovs->begin(), aovs->end(), [](const Aov& aov) { return aov.kind == AovKind::light; });
-  const View& view = prepared->view;
-
-  Rendering result;
-  result.notes = prepared->notes;
+  const View& view = scene.view;
   result.color = Image(view.width, view.height, 4);
+  result.layers.clear();
   for (const Aov& aov : *aovs) {
-    result.layers.push_back(make_layer(aov, *prepared));
+    result.layers.push_back(make_layer(aov, scene));
   }
-  const std::vector<ScreenTriangle> triangles = setup_triangles(*prepared, options.threads);  // reference/triangle.cpp
+  const std::vector<ScreenTriangle> triangles = setup_triangles(scene, options.threads);  // reference/triangle.cpp
   const auto bins = bin_by_band(view, triangles);
-  result.stats.triangles = prepared->triangle_count;
-  result.stats.triangles_drawn = triangles.size();
 
   Progress progress(options.progress, bins.size());
   std::atomic<std::uint64_t> covered{0};
@@ -88,11 +79,11 @@ Result<Rendering> draw(const Scene& scene, const RenderOptions& options) {
     std::uint64_t covered_here = 0;
     for (int y = rows.top; y < rows.bottom; ++y) {
       for (int x = rows.left; x < rows.right; ++x) {
-        const Pixel pixel = resolve_pixel(*prepared, triangles, visibility, x, y, wants_lights, nullptr);  // reference/pixel.cpp
+        const Pixel pixel = resolve_pixel(scene, triangles, visibility, x, y, wants_lights, nullptr);  // reference/pixel.cpp
         const std::array<float, 4> color = pixel.color();
         std::copy(color.begin(), color.end(), result.color.at(x, y).begin());
         for (std::size_t i = 0; i < aovs->size(); ++i) {
-          store_aov((*aovs)[i], *prepared, pixel, result.layers[i].image.at(x, y));
+          store_aov((*aovs)[i], scene, pixel, result.layers[i].image.at(x, y));
         }
         covered_here += pixel.coverage > 0 ? 1 : 0;
       }
@@ -100,18 +91,11 @@ Result<Rendering> draw(const Scene& scene, const RenderOptions& options) {
     covered += covered_here;
     progress.step();
   });
-  result.stats.pixels_covered = covered;
-  return result;
-}
-
-}  // namespace
-
-Result<Rendering> render(const Scene& scene, const RenderOptions& options) {
-  try {
-    return draw(scene, options);
-  } catch (const std::bad_alloc&) {
-    return fail(ErrorKind::limit, "", fmt::format("not enough memory to draw {} x {} pixels", scene.image.width, scene.image.height));
+  result.stats = {.triangles = scene.triangle_count, .triangles_seen = covered > 0 ? 0 : triangles.size(), .pixels_covered = covered};
+  if (options.store_bytes) {
+    result.bytes = to_bytes(result.color, scene.transfer);
   }
+  return {};
 }
 
 }  // namespace lustro
