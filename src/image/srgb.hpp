@@ -1,7 +1,11 @@
 // The sRGB transfer function (IEC 61966-2-1) and the rounding of values to integers. Both decide stored bytes, so neither uses libm.
 #pragma once
 
+#include <array>
+#include <bit>
 #include <cstdint>
+
+#include "math/lane.hpp"
 
 namespace lustro {
 
@@ -14,9 +18,37 @@ namespace lustro {
 [[nodiscard]] float srgb_decode(float encoded);
 
 /// round(255 clamp(x, 0, 1)), halves upwards; NaN is 0.
-[[nodiscard]] std::uint8_t quantize8(float x);
+[[nodiscard]] inline std::uint8_t quantize8(float x) {
+  return static_cast<std::uint8_t>(clamp01(x) * 255.0F + 0.5F);
+}
 
 /// round(65535 clamp(x, 0, 1)), halves upwards; NaN is 0.
 [[nodiscard]] std::uint16_t quantize16(float x);
+
+/// quantize8(srgb_encode(x)) for every float x by one look-up. The bits of x, clamped to 2^-13..1, fall into buckets of 2^16 floats, each so
+/// narrow that the byte rises at most once in it: an entry holds the byte before the rise, and in its low half what carries into that byte from
+/// the rise on. Four buckets are uneven: around their rise the polynomial of srgb_encode() rounds to and fro within four floats, and the
+/// function itself decides.
+struct SrgbTable {
+  static constexpr std::uint32_t kFirst = 0x39000000;   ///< the bits of 2^-13, which is still stored as 0
+  static constexpr std::uint32_t kLast = 0x3F800000;    ///< the bits of 1
+  static constexpr std::uint32_t kUneven = 0x80000000;  ///< marks an entry that does not decide
+  std::array<std::uint32_t, ((kLast - kFirst) >> 16) + 1> entries{};
+};
+
+/// Built from quantize8() and srgb_encode() at the first call.
+[[nodiscard]] const SrgbTable& srgb_table();
+
+/// quantize8(srgb_encode(linear)), the same for every float, about ten times as fast. Rows of lanes do the same with a gather, and ask this
+/// function again for the lanes whose entry is uneven.
+[[nodiscard]] inline std::uint8_t srgb_byte(const SrgbTable& table, float linear) {
+  const float x = lane_min(lane_max(linear, std::bit_cast<float>(SrgbTable::kFirst)), 1.0F);  // NaN becomes the first bucket
+  const auto bits = std::bit_cast<std::uint32_t>(x);
+  const std::uint32_t entry = table.entries[(bits - SrgbTable::kFirst) >> 16];
+  if ((entry & SrgbTable::kUneven) != 0) {
+    return quantize8(srgb_encode(x));
+  }
+  return static_cast<std::uint8_t>((entry + (bits & 0xFFFF)) >> 16);
+}
 
 }  // namespace lustro

@@ -1,7 +1,8 @@
 // The one path from a float pixel to stored integers, for both widths.
 #include "image/store.hpp"
 
-#include <algorithm>
+#include <cstddef>
+#include <span>
 
 #include "image/srgb.hpp"
 #include "parallel/parallel_for.hpp"
@@ -9,24 +10,45 @@
 namespace lustro {
 namespace {
 
-template <class Int, class Quantize>
-std::vector<Int> stored(const Image& image, Transfer transfer, Quantize quantize) {
+/// One row of pixels. `color_of` and `alpha_of` make the stored integer of a float.
+template <std::size_t kChannels, class Int, class Color, class Alpha>
+void store_row(std::span<const float> from, Int* to, Color color_of, Alpha alpha_of) {
+  constexpr bool kHasAlpha = kChannels == 2 || kChannels == 4;
+  constexpr std::size_t kColors = kHasAlpha ? kChannels - 1 : kChannels;
+  for (std::size_t i = 0; i < from.size(); i += kChannels) {
+    const float alpha = kHasAlpha ? from[i + kColors] : 1.0F;
+    if (alpha >= 1) {  // more than full coverage is full coverage
+      for (std::size_t c = 0; c < kColors; ++c) {
+        to[i + c] = color_of(from[i + c]);
+      }
+    } else {
+      for (std::size_t c = 0; c < kColors; ++c) {
+        to[i + c] = color_of(alpha > 0 ? from[i + c] / alpha : 0.0F);
+      }
+    }
+    if constexpr (kHasAlpha) {
+      to[i + kColors] = alpha_of(alpha);
+    }
+  }
+}
+
+template <class Int, class Color, class Alpha>
+std::vector<Int> store(const Image& image, int threads, Color color_of, Alpha alpha_of) {
   const auto channels = static_cast<std::size_t>(image.channels);
-  const bool has_alpha = channels == 2 || channels == 4;
-  const std::size_t colors = has_alpha ? channels - 1 : channels;
-  const auto row_length = static_cast<std::size_t>(image.width) * channels;
+  const std::size_t row_length = static_cast<std::size_t>(image.width) * channels;
   std::vector<Int> out(image.pixels.size());
-  parallel_for(static_cast<std::size_t>(image.height), 0, [&](std::size_t y) {
-    for (std::size_t i = y * row_length; i < (y + 1) * row_length; i += channels) {
-      const float alpha = has_alpha ? image.pixels[i + colors] : 1.0F;
-      const float divisor = std::min(alpha, 1.0F);  // more than full coverage is full coverage
-      for (std::size_t c = 0; c < colors; ++c) {
-        const float color = alpha > 0 ? image.pixels[i + c] / divisor : 0.0F;
-        out[i + c] = quantize(transfer == Transfer::srgb ? srgb_encode(color) : color);
-      }
-      if (has_alpha) {
-        out[i + colors] = quantize(alpha);
-      }
+  parallel_for(static_cast<std::size_t>(image.height), threads, [&](std::size_t y) {
+    const std::span<const float> from(&image.pixels[y * row_length], row_length);
+    Int* to = &out[y * row_length];
+    switch (channels) {
+      case 1:
+        return store_row<1>(from, to, color_of, alpha_of);
+      case 2:
+        return store_row<2>(from, to, color_of, alpha_of);
+      case 3:
+        return store_row<3>(from, to, color_of, alpha_of);
+      default:
+        return store_row<4>(from, to, color_of, alpha_of);
     }
   });
   return out;
@@ -34,12 +56,18 @@ std::vector<Int> stored(const Image& image, Transfer transfer, Quantize quantize
 
 }  // namespace
 
-std::vector<std::uint8_t> stored8(const Image& image, Transfer transfer) {
-  return stored<std::uint8_t>(image, transfer, quantize8);
+std::vector<std::uint8_t> stored8(const Image& image, Transfer transfer, int threads) {
+  if (transfer != Transfer::srgb) {
+    return store<std::uint8_t>(image, threads, quantize8, quantize8);
+  }
+  const auto encode = [&table = srgb_table()](float x) { return srgb_byte(table, x); };
+  return store<std::uint8_t>(image, threads, encode, quantize8);
 }
 
-std::vector<std::uint16_t> stored16(const Image& image, Transfer transfer) {
-  return stored<std::uint16_t>(image, transfer, quantize16);
+std::vector<std::uint16_t> stored16(const Image& image, Transfer transfer, int threads) {
+  const auto encode = [](float x) { return quantize16(srgb_encode(x)); };
+  return transfer == Transfer::srgb ? store<std::uint16_t>(image, threads, encode, quantize16)
+                                    : store<std::uint16_t>(image, threads, quantize16, quantize16);
 }
 
 ByteImage to_bytes(const Image& image, Transfer transfer) {

@@ -9,10 +9,10 @@
 namespace lustro {
 
 /// The 8-bit values of all pixels, interleaved: divided by alpha (the last of 2 or 4 channels), encoded, rounded. Alpha itself is only rounded.
-/// Where alpha is 0 the colour is 0.
-[[nodiscard]] std::vector<std::uint8_t> stored8(const Image& image, Transfer transfer);
+/// Where alpha is 0 the colour is 0. threads  0: one a core
+[[nodiscard]] std::vector<std::uint8_t> stored8(const Image& image, Transfer transfer, int threads = 0);
 
 /// The same in 16 bits, in the machine's byte order.
-[[nodiscard]] std::vector<std::uint16_t> stored16(const Image& image, Transfer transfer);
+[[nodiscard]] std::vector<std::uint16_t> stored16(const Image& image, Transfer transfer, int threads = 0);
 
 }  // namespace lustro

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <random>
 
 namespace lustro {
 namespace {
@@ -92,6 +95,47 @@ TEST(Quantize, RoundsHalvesUpAndClamps) {
   EXPECT_EQ(quantize16(nan), 0);
   EXPECT_EQ(quantize16(infinity), 65535);
   EXPECT_EQ(quantize16(0.5F), 32768);
+}
+
+int slow_byte(float x) {
+  return quantize8(srgb_encode(x));
+}
+
+TEST(SrgbTable, AgreesWithTheFunctionAroundEveryRiseAndEveryEdgeOfABucket) {
+  const SrgbTable& table = srgb_table();
+  const auto expect_equal = [&](std::uint32_t middle, std::uint32_t reach) {
+    for (std::uint32_t bits = middle - reach; bits <= middle + reach; ++bits) {
+      const auto x = std::bit_cast<float>(bits);
+      ASSERT_EQ(srgb_byte(table, x), slow_byte(x)) << std::hex << bits;
+    }
+  };
+  for (std::uint32_t start = SrgbTable::kFirst; start <= SrgbTable::kLast; start += 0x10000) {
+    expect_equal(start, 20);
+    const std::uint32_t entry = table.entries[(start - SrgbTable::kFirst) >> 16];
+    if ((entry & SrgbTable::kUneven) == 0 && (entry & 0xFFFF) != 0) {
+      const std::uint32_t rise = start + 0x10000 - (entry & 0xFFFF);
+      ASSERT_EQ(slow_byte(std::bit_cast<float>(rise)), slow_byte(std::bit_cast<float>(rise - 1)) + 1);
+      expect_equal(rise, 500);
+    } else if ((entry & SrgbTable::kUneven) != 0) {
+      expect_equal(start + 0x8000, 0x8000);
+    }
+  }
+}
+
+TEST(SrgbTable, AgreesWithTheFunctionForFloatsOfEveryKind) {
+  const SrgbTable& table = srgb_table();
+  std::mt19937 random(3);
+  for (int i = 0; i < 4'000'000; ++i) {
+    const auto any = std::bit_cast<float>(static_cast<std::uint32_t>(random()));  // NaN, infinity, denormal, negative
+    ASSERT_EQ(srgb_byte(table, any), slow_byte(any)) << any;
+    const float unit = static_cast<float>(random() >> 8) * 0x1p-24F;
+    ASSERT_EQ(srgb_byte(table, unit), slow_byte(unit)) << unit;
+  }
+}
+
+TEST(SrgbTable, NearlyEveryBucketDecidesByItself) {
+  const auto& entries = srgb_table().entries;
+  EXPECT_LE(std::count_if(entries.begin(), entries.end(), [](std::uint32_t e) { return (e & SrgbTable::kUneven) != 0; }), 4);
 }
 
 TEST(Srgb, ValuesBeyondOneGoOnRising) {
