@@ -12,7 +12,9 @@
 
 namespace lustro {
 
-struct Renderer::State {};
+struct Renderer::State {
+  MeshCache meshes;
+};
 
 namespace {
 
@@ -20,12 +22,12 @@ double milliseconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
-Result<void> draw(const Scene& scene, const RenderOptions& options, Rendering& result) {
+Result<void> draw(const Scene& scene, const RenderOptions& options, MeshCache& meshes, Rendering& result) {
   const auto begin = std::chrono::steady_clock::now();
   if (auto target = choose_target(options.target); !target) {
     return tl::unexpected(target.error());
   }
-  const auto prepared = prepare(scene);  // scene/prepare.cpp
+  const auto prepared = prepare(scene, meshes, options.threads);  // scene/prepare.cpp
   if (!prepared) {
     return tl::unexpected(prepared.error());
   }
@@ -48,7 +50,7 @@ Renderer::~Renderer() = default;
 
 Result<void> Renderer::render(const Scene& scene, const RenderOptions& options, Rendering& result) {
   try {
-    return draw(scene, options, result);
+    return draw(scene, options, state_->meshes, result);
   } catch (const std::bad_alloc&) {
     return fail(ErrorKind::limit, "", fmt::format("not enough memory to draw {} x {} pixels", scene.image.width, scene.image.height));
   }

@@ -21,24 +21,44 @@ struct Face {
 
   [[nodiscard]] Vec3f position(std::size_t i) const { return instance.relative_from_object(instance.mesh->positions[vertices[i]]); }
 
-  [[nodiscard]] Vec3f normal(std::size_t i) const { return normalize(instance.normal_from_object(instance.mesh->normals[vertices[i]])) * side; }
+  // A vertex's normal, world.
+  [[nodiscard]] Vec3f normal(std::size_t i) const {
+    const Vec3f n = instance.normal_from_object(instance.mesh->normals[vertices[i]]);
+    return (instance.is_similarity ? n : normalize(n)) * side;
+  }
 
-  // From the object's own coordinates, where edges have all their digits; scaled, so that tiny faces do not underflow.
-  [[nodiscard]] Vec3f face_normal() const {
+  // A similarity turns all normals alike, so that they are interpolated as the mesh has them and turned once.
+  [[nodiscard]] Vec3f normal_at(NormalInterpolation mode, const Vec3f& w) const {
+    const Weights<float> weights{w.x, w.y, w.z};
+    if (!instance.is_similarity) {
+      return interpolate_normal<float>(mode, {normal(0), normal(1), normal(2)}, weights, face_normal());
+    }
+    const std::vector<Vec3f>& n = instance.mesh->normals;
+    return instance.normal_from_object(
+               interpolate_normal<float>(mode, {n[vertices[0]], n[vertices[1]], n[vertices[2]]}, weights, normalize(object_normal()))) *
+           side;
+  }
+
+  // The face's normal of any length, from the object's own coordinates, where edges have all their digits; scaled, so that tiny faces do not
+  // underflow.
+  [[nodiscard]] Vec3f object_normal() const {
     const Vec3f& a = instance.mesh->positions[vertices[0]];
     const Vec3f ab = instance.mesh->positions[vertices[1]] - a;
     const Vec3f ac = instance.mesh->positions[vertices[2]] - a;
     const float size = std::max({std::abs(ab.x), std::abs(ab.y), std::abs(ab.z), std::abs(ac.x), std::abs(ac.y), std::abs(ac.z)});
     const float scale = 1.0F / size;
-    return normalize(instance.normal_from_object(cross(ab * scale, ac * scale))) * side;
+    return cross(ab * scale, ac * scale);
   }
+  [[nodiscard]] Vec3f face_normal() const { return normalize(instance.normal_from_object(object_normal())) * side; }
 
   // Vertex colours multiply the ambient and the diffuse coefficient.
   [[nodiscard]] Vec3f tint(const Vec3f& w) const {
-    if (instance.colors.empty()) {
+    if (instance.drawable->colors.empty()) {
       return {1, 1, 1};
     }
-    return weighted_sum<float>({instance.colors[vertices[0]], instance.colors[vertices[1]], instance.colors[vertices[2]]}, {w.x, w.y, w.z});
+    return weighted_sum<float>(
+        {instance.drawable->colors[vertices[0]], instance.drawable->colors[vertices[1]], instance.drawable->colors[vertices[2]]},
+        {w.x, w.y, w.z});
   }
 };
 
@@ -190,10 +210,7 @@ Fragment shade_fragment(const PreparedScene& scene, const ScreenTriangle& t, std
   fragment.depth = depth_of(scene.view, at.depth_key);
   fragment.position = scene.view.point_at(x, y, fragment.depth);
   fragment.albedo = material.albedo * face.tint(at.weights);
-  fragment.normal = scene.shading.interpolation == Interpolation::flat
-                        ? face.face_normal()
-                        : interpolate_normal<float>(scene.shading.normals, {face.normal(0), face.normal(1), face.normal(2)},
-                                                    {at.weights.x, at.weights.y, at.weights.z}, face.face_normal());
+  fragment.normal = scene.shading.interpolation == Interpolation::flat ? face.face_normal() : face.normal_at(scene.shading.normals, at.weights);
 
   Evaluation shading;
   switch (scene.shading.interpolation) {

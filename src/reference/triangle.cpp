@@ -123,9 +123,9 @@ bool covers(const ScreenTriangle& t, std::int32_t px, std::int32_t py) {
 
 float depth_key_at(const ScreenTriangle& t, const std::array<std::int64_t, 3>& edges) {
   const float inverse_area = 1.0F / static_cast<float>(t.area2);
-  const float b1 = static_cast<float>(edges[1]) * inverse_area;
-  const float b2 = static_cast<float>(edges[2]) * inverse_area;
-  return (t.depth_key[0] + (t.depth_key[1] - t.depth_key[0]) * b1) + (t.depth_key[2] - t.depth_key[0]) * b2;
+  const float slope1 = (t.depth_key[1] - t.depth_key[0]) * inverse_area;
+  const float slope2 = (t.depth_key[2] - t.depth_key[0]) * inverse_area;
+  return (t.depth_key[0] + slope1 * static_cast<float>(edges[1])) + slope2 * static_cast<float>(edges[2]);
 }
 
 Interpolants interpolants_at(const View& view, const ScreenTriangle& t, std::int32_t px, std::int32_t py) {
@@ -140,6 +140,9 @@ Interpolants interpolants_at(const View& view, const ScreenTriangle& t, std::int
     w2 = (w2 * t.depth_key[2]) * depth;
   }
   const float w0 = (1.0F - w1) - w2;
+  if (!t.is_clipped) {
+    return {key, t.is_swapped ? Vec3f{w0, w2, w1} : Vec3f{w0, w1, w2}};
+  }
   return {key, (t.corner_weights[0] * w0 + t.corner_weights[1] * w1) + t.corner_weights[2] * w2};
 }
 
@@ -169,7 +172,8 @@ void setup_triangle(const PreparedScene& scene, std::uint32_t instance_index, st
     }
     // Counter-clockwise with y up is a negative area with y down.
     const bool is_front = (area2 < 0) != instance.is_mirrored;
-    if (area2 < 0) {
+    const bool is_swapped = area2 < 0;
+    if (is_swapped) {
       std::swap(c[1], c[2]);
       area2 = -area2;
     }
@@ -178,6 +182,8 @@ void setup_triangle(const PreparedScene& scene, std::uint32_t instance_index, st
     t.instance = instance_index;
     t.is_front = is_front;
     t.area2 = area2;
+    t.is_swapped = is_swapped;
+    t.is_clipped = !is_inside;
     for (std::size_t k = 0; k < 3; ++k) {
       t.x[k] = c[k].x;
       t.y[k] = c[k].y;

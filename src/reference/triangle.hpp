@@ -18,7 +18,9 @@ struct ScreenTriangle {
   std::array<std::int32_t, 3> x{}, y{};   ///< 1/256 pixel, within +-2^23
   std::int64_t area2 = 0;                 ///< twice the area, 1/65536 pixel^2
   std::array<float, 3> depth_key{};       ///< see depth_of()
-  std::array<Vec3f, 3> corner_weights{};  ///< weights of the mesh triangle's vertices at each corner; unit vectors unless clipped
+  bool is_swapped = false;                ///< corners 1 and 2 are the mesh triangle's 2 and 1
+  bool is_clipped = false;                ///< cut from a mesh triangle, of whose vertices each corner has weights of its own
+  std::array<Vec3f, 3> corner_weights{};  ///< weights of the mesh triangle's vertices at each corner
 };
 
 /// The depth key: larger is nearer, linear on the image. 1/w for perspective; (far - depth) / (far - near) for orthographic cameras.

@@ -9,7 +9,6 @@
 
 #include "image/srgb.hpp"
 #include "math/trig.hpp"
-#include "mesh/normals.hpp"
 
 namespace lustro {
 namespace {
@@ -92,6 +91,15 @@ AffineRows to_rows(const std::array<Vec3d, 3>& rows, const Vec3d& translation) {
   return result;
 }
 
+// Rows of equal length at right angles, to the last digits of a float: a rotation, perhaps with a reflection, and one scale for all axes.
+bool keeps_angles(const std::array<Vec3d, 3>& rows) {
+  constexpr double kTolerance = 1e-6;
+  const double square = dot(rows[0], rows[0]);
+  const auto equal = [square](double a, double b) { return std::abs(a - b) <= kTolerance * square; };
+  return equal(dot(rows[1], rows[1]), square) && equal(dot(rows[2], rows[2]), square) && equal(dot(rows[0], rows[1]), 0) &&
+         equal(dot(rows[1], rows[2]), 0) && equal(dot(rows[2], rows[0]), 0);
+}
+
 // The matrices of one object. The cofactor matrix is the inverse transpose times the determinant; only its direction matters.
 Result<void> place(Instance& instance, const Mat4& m, const View& view, const std::string& where) {
   const std::array<Vec3d, 3> rows{Vec3d{m(0, 0), m(0, 1), m(0, 2)}, Vec3d{m(1, 0), m(1, 1), m(1, 2)}, Vec3d{m(2, 0), m(2, 1), m(2, 2)}};
@@ -110,6 +118,12 @@ Result<void> place(Instance& instance, const Mat4& m, const View& view, const st
     c = c * ((determinant < 0 ? -1 : 1) / largest);
   }
   instance.is_mirrored = determinant < 0;
+  instance.is_similarity = keeps_angles(cofactors);
+  if (instance.is_similarity) {
+    for (Vec3d& c : cofactors) {
+      c = normalize(c);
+    }
+  }
   instance.relative_from_object = to_rows(rows, translation);
   instance.normal_from_object = to_rows(cofactors, {});
 
@@ -125,86 +139,74 @@ Result<void> place(Instance& instance, const Mat4& m, const View& view, const st
   return {};
 }
 
-// The reach of all vertices that triangles use: exact, and the same in every order.
-void reach_of(const Scene& scene, std::span<const Vec3d> directions, std::span<double> reach) {
-  std::fill(reach.begin(), reach.end(), -std::numeric_limits<double>::infinity());
-  for (const Object& object : scene.objects) {
-    if (!object.mesh) {
-      continue;
+// The largest dot(direction, p) over the vertices that triangles use. Clusters whose box cannot reach farther than what was found are passed
+// over, which changes nothing: a maximum is exact, and the same in every order.
+double reach_of(const Clusters& clusters, const Mesh& mesh, const Vec3d& direction) {
+  const auto bound = [&](const Cluster& c) {
+    const auto farther = [](double d, float lower, float upper) {
+      return std::max(d * static_cast<double>(lower), d * static_cast<double>(upper));
+    };
+    const Vec3d parts{farther(direction.x, c.lower.x, c.upper.x), farther(direction.y, c.lower.y, c.upper.y),
+                      farther(direction.z, c.lower.z, c.upper.z)};
+    constexpr double kRounding = 1e-14;
+    return ((parts.x + parts.y) + parts.z) + kRounding * ((std::abs(parts.x) + std::abs(parts.y)) + std::abs(parts.z));
+  };
+  double farthest = -std::numeric_limits<double>::infinity();
+  const auto look_into = [&](const Cluster& c) {
+    for (std::uint32_t i = 0; i < c.vertices; ++i) {
+      farthest = std::max(farthest, dot(direction, vec_cast<double>(mesh.positions[clusters.vertices[c.first_vertex + i]])));
     }
-    const Mat4& m = object.matrix;
+  };
+  const auto first = std::max_element(clusters.clusters.begin(), clusters.clusters.end(),
+                                      [&](const Cluster& a, const Cluster& b) { return bound(a) < bound(b); });
+  if (first != clusters.clusters.end()) {
+    look_into(*first);
+  }
+  for (const Cluster& c : clusters.clusters) {
+    if (bound(c) > farthest) {
+      look_into(c);
+    }
+  }
+  return farthest;
+}
+
+using Drawables = std::vector<std::shared_ptr<const DrawableMesh>>;  // one an object
+
+void reach_of(const Scene& scene, const Drawables& drawables, std::span<const Vec3d> directions, std::span<double> reach) {
+  std::fill(reach.begin(), reach.end(), -std::numeric_limits<double>::infinity());
+  for (std::size_t o = 0; o < drawables.size(); ++o) {
+    const Mat4& m = scene.objects[o].matrix;
     for (std::size_t i = 0; i < directions.size(); ++i) {
       const Vec3d& d = directions[i];  // dot(d, M p) = dot(M^T d, p)
       const Vec3d local{(m(0, 0) * d.x + m(1, 0) * d.y) + m(2, 0) * d.z, (m(0, 1) * d.x + m(1, 1) * d.y) + m(2, 1) * d.z,
                         (m(0, 2) * d.x + m(1, 2) * d.y) + m(2, 2) * d.z};
       const double offset = (m(0, 3) * d.x + m(1, 3) * d.y) + m(2, 3) * d.z;
-      double farthest = -std::numeric_limits<double>::infinity();
-      for (const auto& triangle : object.mesh->triangles) {
-        for (const std::uint32_t vertex : triangle) {
-          farthest = std::max(farthest, dot(local, vec_cast<double>(object.mesh->positions[vertex])));
-        }
-      }
-      reach[i] = std::max(reach[i], farthest + offset);
+      reach[i] = std::max(reach[i], reach_of(drawables[o]->clusters, *drawables[o]->mesh, local) + offset);
     }
   }
 }
 
-Extent extent_of(const Scene& scene) {
+Extent extent_of(const Scene& scene, const Drawables& drawables) {
   Extent extent;
   constexpr std::array kAxes{Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}, Vec3d{-1, 0, 0}, Vec3d{0, -1, 0}, Vec3d{0, 0, -1}};
   std::array<double, 6> reach{};
-  reach_of(scene, kAxes, reach);
+  reach_of(scene, drawables, kAxes, reach);
   extent.bounds.upper = {reach[0], reach[1], reach[2]};
   extent.bounds.lower = {-reach[3], -reach[4], -reach[5]};
-  extent.reach = [&scene](std::span<const Vec3d> directions, std::span<double> out) { reach_of(scene, directions, out); };
+  extent.reach = [&scene, &drawables](std::span<const Vec3d> directions, std::span<double> out) { reach_of(scene, drawables, directions, out); };
   return extent;
 }
 
-// A hand-built mesh is checked before anything reads through its indices.
-Result<void> check_mesh(const Mesh& mesh, const std::string& where) {
-  const std::size_t vertices = mesh.positions.size();
-  const auto fits = [vertices](std::size_t size) { return size == 0 || size == vertices; };
-  if (!fits(mesh.normals.size()) || !fits(mesh.uvs.size()) || !fits(mesh.colors.size())) {
-    return fail(ErrorKind::usage, where,
-                fmt::format("normals, uvs and colors must be empty or have one entry for each of the {} positions", vertices));
-  }
-  if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), [](const Vec3f& p) { return is_finite(p); })) {
-    return fail(ErrorKind::usage, where, "has a position that is not finite");
-  }
-  for (const auto& t : mesh.triangles) {
-    if (std::max({t[0], t[1], t[2]}) >= vertices) {
-      return fail(ErrorKind::usage, where, fmt::format("a triangle names vertex {}, but there are {}", std::max({t[0], t[1], t[2]}), vertices));
-    }
-  }
-  if (!mesh.triangle_material.empty() && mesh.triangle_material.size() != mesh.triangles.size()) {
-    return fail(ErrorKind::usage, where, "triangle_material must be empty or have one entry for each triangle");
-  }
-  const std::size_t materials = std::max<std::size_t>(mesh.materials.size(), 1);
-  for (const std::uint32_t m : mesh.triangle_material) {
-    if (m >= materials) {
-      return fail(ErrorKind::usage, where, fmt::format("a triangle names material {}, but there are {}", m, materials));
-    }
-  }
-  return {};
-}
-
-Result<void> add_object(PreparedScene& prepared, const Scene& scene, std::size_t index) {
+Result<void> add_object(PreparedScene& prepared, const Scene& scene, std::size_t index, std::shared_ptr<const DrawableMesh> drawable) {
   const Object& object = scene.objects[index];
   const std::string where = fmt::format("objects[{}]", index);
   prepared.object_names.push_back(!object.name.empty() ? object.name : object.source);
   Instance instance;
-  instance.mesh = object.mesh;
+  instance.mesh = drawable->mesh.get();
+  instance.drawable = std::move(drawable);
   instance.object = static_cast<std::uint32_t>(index);
-  if (instance.mesh->normals.empty() && scene.shading.interpolation != Interpolation::flat) {
-    instance.mesh = std::make_shared<Mesh>(with_vertex_normals(
-        *object.mesh, NormalOptions{.weights = scene.shading.vertex_normals, .crease_deg = scene.shading.crease.value_or(180)}));
-  }
   if (auto placed = place(instance, object.matrix, prepared.view, where); !placed) {
     return placed;
-  }
-  instance.colors.reserve(instance.mesh->colors.size());
-  for (const Vec3f& color : instance.mesh->colors) {
-    instance.colors.push_back(linear_rgb(color, ColorSpace::encoded, prepared.transfer));
   }
   const std::size_t triangles = instance.mesh->triangles.size();
   if (triangles > 0xFFFFFFFEU - prepared.triangle_count) {
@@ -227,16 +229,22 @@ Result<void> add_object(PreparedScene& prepared, const Scene& scene, std::size_t
 }
 
 // Objects have meshes, meshes are sound, matrices are affine and finite: whatever follows may rely on it.
-Result<void> check_objects(const Scene& scene) {
+Result<Drawables> check_objects(const Scene& scene, MeshCache& cache, int threads) {
+  Drawables drawables;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
     const std::string where = fmt::format("objects[{}]", i);
     if (!object.mesh) {
       return fail(ErrorKind::usage, where, object.source.empty() ? "has no mesh" : fmt::format("its mesh \"{}\" is not loaded", object.source));
     }
-    if (auto checked = check_mesh(*object.mesh, where + ".mesh"); !checked) {
-      return checked;
+    const MeshDemand demand{.normals = {.weights = scene.shading.vertex_normals, .crease_deg = scene.shading.crease.value_or(180)},
+                            .wants_normals = scene.shading.interpolation != Interpolation::flat,
+                            .encoded_colors = scene.image.transfer != Transfer::none};
+    auto drawable = cache.get(object.mesh, demand, threads, where + ".mesh");
+    if (!drawable) {
+      return tl::unexpected(drawable.error());
     }
+    drawables.push_back(*drawable);
     const Mat4& m = object.matrix;
     if (!std::all_of(m.m.begin(), m.m.end(), [](double value) { return std::isfinite(value); })) {
       return fail(ErrorKind::usage, where + ".matrix", "holds a number that is not finite");
@@ -245,7 +253,8 @@ Result<void> check_objects(const Scene& scene) {
       return fail(ErrorKind::usage, where + ".matrix", "the last row must be 0, 0, 0, 1");
     }
   }
-  return {};
+  cache.forget_unused();
+  return drawables;
 }
 
 Result<void> check_image(const ImageSettings& image) {
@@ -261,22 +270,28 @@ Result<void> check_image(const ImageSettings& image) {
 }  // namespace
 
 Result<PreparedScene> prepare(const Scene& scene) {
+  MeshCache cache;
+  return prepare(scene, cache, 0);
+}
+
+Result<PreparedScene> prepare(const Scene& scene, MeshCache& cache, int threads) {
   if (auto checked = check_image(scene.image); !checked) {
     return tl::unexpected(checked.error());
   }
-  if (auto checked = check_objects(scene); !checked) {
-    return tl::unexpected(checked.error());
+  auto drawables = check_objects(scene, cache, threads);
+  if (!drawables) {
+    return tl::unexpected(drawables.error());
   }
   PreparedScene prepared;
   prepared.shading = scene.shading;
   prepared.transfer = scene.image.transfer;
-  auto view = make_view(scene.camera, scene.image, extent_of(scene));
+  auto view = make_view(scene.camera, scene.image, extent_of(scene, *drawables));
   if (!view) {
     return tl::unexpected(view.error());
   }
   prepared.view = *view;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    if (auto added = add_object(prepared, scene, i); !added) {
+    if (auto added = add_object(prepared, scene, i, std::move((*drawables)[i])); !added) {
       return tl::unexpected(added.error());
     }
   }

@@ -10,6 +10,7 @@
 
 #include "lustro/result.hpp"
 #include "lustro/scene.hpp"
+#include "scene/mesh_cache.hpp"
 #include "scene/view.hpp"
 #include "shade/fog.hpp"
 #include "shade/lighting.hpp"
@@ -35,17 +36,18 @@ struct ShadingMaterial {
 
 /// One object's mesh at its place.
 struct Instance {
-  std::shared_ptr<const Mesh> mesh;  ///< with normals unless the interpolation is flat
-  std::vector<Vec3f> colors;         ///< V x 3, linear, or empty
+  std::shared_ptr<const DrawableMesh> drawable;
+  const Mesh* mesh = nullptr;  ///< drawable->mesh: with unit normals unless the interpolation is flat
   std::uint32_t object = 0;
   std::uint32_t first_triangle = 0;  ///< triangles are numbered through the scene, in order
   std::uint32_t first_material = 0;  ///< index into PreparedScene::materials of the mesh's material 0
   bool has_own_materials = false;    ///< false: every triangle has first_material
   bool is_mirrored = false;          ///< the matrix turns the winding round
+  bool is_similarity = false;        ///< the matrix keeps angles: normals may be interpolated before they are turned
 
   AffineRows image_from_object;     ///< (pixels * depth from the image's centre, x and y; depth), orthographic: (pixels, pixels, depth)
   AffineRows relative_from_object;  ///< world orientation, relative to the eye
-  AffineRows normal_from_object;    ///< inverse transpose up to a positive factor; no translation
+  AffineRows normal_from_object;    ///< inverse transpose up to a positive factor, for a similarity a rotation; no translation
 
   [[nodiscard]] std::uint32_t material_of(std::uint32_t triangle) const {
     return first_material + (has_own_materials && !mesh->triangle_material.empty() ? mesh->triangle_material[triangle] : 0U);
@@ -71,5 +73,8 @@ struct PreparedScene {
 /// errors  usage where something does not fit together (an object without a mesh, a singular matrix, a camera that cannot see); limit for more
 ///         than 2^32 - 2 triangles; empty for a scene without any triangle
 [[nodiscard]] Result<PreparedScene> prepare(const Scene& scene);
+
+/// The same with what is kept of the meshes from one picture to the next.
+[[nodiscard]] Result<PreparedScene> prepare(const Scene& scene, MeshCache& cache, int threads);
 
 }  // namespace lustro

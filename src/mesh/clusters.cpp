@@ -1,0 +1,207 @@
+// Clusters are cut greedily, in fixed stretches of triangles that threads share out.
+#include "mesh/clusters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "parallel/parallel_for.hpp"
+
+namespace lustro {
+namespace {
+
+constexpr std::size_t kStretch = 16384;  // triangles that one job cuts; clusters do not cross its ends
+
+// The vertices of the cluster that is being cut: a small open hash, forgotten by counting up its stamp.
+class VertexTable {
+ public:
+  void clear() {
+    ++stamp_;
+    size_ = 0;
+  }
+  [[nodiscard]] std::uint32_t size() const { return size_; }
+
+  // The number of `vertex` within the cluster, which it joins if it is new.
+  std::uint32_t number(std::uint32_t vertex, std::vector<std::uint32_t>& vertices) {
+    std::size_t slot = (vertex * 0x9E3779B1U) >> 23;
+    while (slots_[slot].stamp == stamp_) {
+      if (slots_[slot].vertex == vertex) {
+        return slots_[slot].number;
+      }
+      slot = (slot + 1) % slots_.size();
+    }
+    slots_[slot] = {vertex, stamp_, size_};
+    vertices.push_back(vertex);
+    return size_++;
+  }
+
+ private:
+  struct Slot {
+    std::uint32_t vertex = 0, stamp = 0, number = 0;
+  };
+  std::array<Slot, 512> slots_{};  // at most a quarter full
+  std::uint32_t stamp_ = 0;
+  std::uint32_t size_ = 0;
+};
+
+struct Stretch {
+  std::vector<Cluster> clusters;
+  std::vector<std::uint32_t> vertices;
+};
+
+void finish(Cluster& cluster, const Mesh& mesh, const std::vector<std::uint32_t>& vertices) {
+  cluster.lower = cluster.upper = mesh.positions[vertices[cluster.first_vertex]];
+  for (std::size_t i = cluster.first_vertex; i < vertices.size(); ++i) {
+    const Vec3f& p = mesh.positions[vertices[i]];
+    cluster.lower = {std::min(cluster.lower.x, p.x), std::min(cluster.lower.y, p.y), std::min(cluster.lower.z, p.z)};
+    cluster.upper = {std::max(cluster.upper.x, p.x), std::max(cluster.upper.y, p.y), std::max(cluster.upper.z, p.z)};
+  }
+  cluster.vertices = static_cast<std::uint16_t>(vertices.size() - cluster.first_vertex);
+}
+
+// Cuts triangles first..last; `order` names them, or is empty. Fills their entries of `corners`.
+Stretch cut(const Mesh& mesh, const std::vector<std::uint32_t>& order, std::size_t first, std::size_t last,
+            std::vector<std::uint32_t>& corners) {
+  Stretch stretch;
+  stretch.vertices.reserve((last - first) * 5 / 4);
+  VertexTable table;
+  table.clear();
+  Cluster cluster;
+  cluster.first_triangle = static_cast<std::uint32_t>(first);
+  for (std::size_t i = first; i < last; ++i) {
+    if (cluster.triangles == Cluster::kMaxTriangles || table.size() + 3 > Cluster::kMaxVertices) {
+      finish(cluster, mesh, stretch.vertices);
+      stretch.clusters.push_back(cluster);
+      table.clear();
+      cluster = {};
+      cluster.first_vertex = static_cast<std::uint32_t>(stretch.vertices.size());
+      cluster.first_triangle = static_cast<std::uint32_t>(i);
+    }
+    const auto& t = mesh.triangles[order.empty() ? i : order[i]];
+    const std::uint32_t a = table.number(t[0], stretch.vertices);
+    const std::uint32_t b = table.number(t[1], stretch.vertices);
+    const std::uint32_t c = table.number(t[2], stretch.vertices);
+    corners[i] = a | b << 8 | c << 16;
+    ++cluster.triangles;
+  }
+  finish(cluster, mesh, stretch.vertices);
+  stretch.clusters.push_back(cluster);
+  return stretch;
+}
+
+Clusters cut_all(const Mesh& mesh, std::vector<std::uint32_t> order, int threads) {
+  const std::size_t count = mesh.triangles.size();
+  Clusters result;
+  result.corners.resize(count + Clusters::kPadding);
+  std::vector<Stretch> stretches((count + kStretch - 1) / kStretch);
+  parallel_for(stretches.size(), threads,
+               [&](std::size_t s) { stretches[s] = cut(mesh, order, s * kStretch, std::min(count, (s + 1) * kStretch), result.corners); });
+  std::vector<std::size_t> first_cluster(stretches.size() + 1);
+  std::vector<std::size_t> first_vertex(stretches.size() + 1);
+  for (std::size_t s = 0; s < stretches.size(); ++s) {
+    first_cluster[s + 1] = first_cluster[s] + stretches[s].clusters.size();
+    first_vertex[s + 1] = first_vertex[s] + stretches[s].vertices.size();
+  }
+  result.clusters.resize(first_cluster.back());
+  result.vertices.resize(first_vertex.back() + Clusters::kPadding);
+  parallel_for(stretches.size(), threads, [&](std::size_t s) {
+    std::copy(stretches[s].vertices.begin(), stretches[s].vertices.end(),
+              result.vertices.begin() + static_cast<std::ptrdiff_t>(first_vertex[s]));
+    for (std::size_t i = 0; i < stretches[s].clusters.size(); ++i) {
+      Cluster cluster = stretches[s].clusters[i];
+      cluster.first_vertex += static_cast<std::uint32_t>(first_vertex[s]);
+      result.clusters[first_cluster[s] + i] = cluster;
+    }
+    stretches[s] = {};
+  });
+  if (!order.empty()) {
+    order.resize(count + Clusters::kPadding);
+    result.triangles = std::move(order);
+  }
+  return result;
+}
+
+double half_area(const Vec3f& lower, const Vec3f& upper) {
+  const Vec3d size = vec_cast<double>(upper) - vec_cast<double>(lower);
+  return (size.x * size.y + size.y * size.z) + size.z * size.x;
+}
+
+// Clusters that cover a surface once have boxes whose areas sum to a few times that of the mesh's box. Triangles in random order have boxes as
+// large as the mesh, each.
+bool is_scattered(const Clusters& clusters, const Bounds& bounds) {
+  double sum = 0;
+  for (const Cluster& cluster : clusters.clusters) {
+    sum += half_area(cluster.lower, cluster.upper);
+  }
+  constexpr double kTolerated = 32;
+  return clusters.clusters.size() > 64 && sum > kTolerated * half_area(vec_cast<float>(bounds.lower), vec_cast<float>(bounds.upper));
+}
+
+Bounds bounds_of(const Clusters& clusters) {
+  Bounds bounds;
+  for (const Cluster& cluster : clusters.clusters) {
+    bounds.include(vec_cast<double>(cluster.lower));
+    bounds.include(vec_cast<double>(cluster.upper));
+  }
+  return bounds;
+}
+
+// Ten bits apart by two zeros each.
+std::uint32_t spread(std::uint32_t v) {
+  v = (v | v << 16) & 0x030000FFU;
+  v = (v | v << 8) & 0x0300F00FU;
+  v = (v | v << 4) & 0x030C30C3U;
+  return (v | v << 2) & 0x09249249U;
+}
+
+// Triangles along the Morton curve of their centres; equal codes keep their order.
+std::vector<std::uint32_t> morton_order(const Mesh& mesh, const Bounds& bounds, int threads) {
+  const std::size_t count = mesh.triangles.size();
+  std::vector<std::uint32_t> codes(count);
+  const auto grid = [](double value, double lower, double upper) {
+    const double place = upper > lower ? (value - lower) / (upper - lower) : 0;
+    return static_cast<std::uint32_t>(std::clamp(place * 1024, 0.0, 1023.0));
+  };
+  parallel_for((count + kStretch - 1) / kStretch, threads, [&](std::size_t s) {
+    for (std::size_t i = s * kStretch; i < std::min(count, (s + 1) * kStretch); ++i) {
+      const auto& t = mesh.triangles[i];
+      const Vec3d center =
+          (vec_cast<double>(mesh.positions[t[0]]) + vec_cast<double>(mesh.positions[t[1]]) + vec_cast<double>(mesh.positions[t[2]])) * (1.0 / 3);
+      codes[i] = spread(grid(center.x, bounds.lower.x, bounds.upper.x)) | spread(grid(center.y, bounds.lower.y, bounds.upper.y)) << 1 |
+                 spread(grid(center.z, bounds.lower.z, bounds.upper.z)) << 2;
+    }
+  });
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0U);
+  std::vector<std::uint32_t> sorted(count);
+  constexpr std::size_t kDigit = 1024;
+  for (const std::uint32_t shift : {0U, 10U, 20U}) {  // radix sort, stable
+    std::vector<std::size_t> begin(kDigit + 1);
+    for (const std::uint32_t code : codes) {
+      ++begin[(code >> shift) % kDigit + 1];
+    }
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    for (const std::uint32_t triangle : order) {
+      sorted[begin[(codes[triangle] >> shift) % kDigit]++] = triangle;
+    }
+    order.swap(sorted);
+  }
+  return order;
+}
+
+}  // namespace
+
+Clusters make_clusters(const Mesh& mesh, int threads) {
+  if (mesh.triangles.empty()) {
+    return {};
+  }
+  Clusters clusters = cut_all(mesh, {}, threads);
+  const Bounds bounds = bounds_of(clusters);
+  if (!is_scattered(clusters, bounds)) {
+    return clusters;
+  }
+  clusters = {};
+  return cut_all(mesh, morton_order(mesh, bounds, threads), threads);
+}
+
+}  // namespace lustro

@@ -1,0 +1,44 @@
+// A mesh cut into clusters of neighbouring triangles: small enough for a box to say where they are, and for one byte to name a vertex.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "lustro/mesh.hpp"
+
+namespace lustro {
+
+/// At most kMaxTriangles triangles over at most kMaxVertices vertices.
+struct Cluster {
+  static constexpr std::uint32_t kMaxTriangles = 128;
+  static constexpr std::uint32_t kMaxVertices = 128;
+
+  Vec3f lower, upper;                ///< box of its vertices, object space
+  std::uint32_t first_vertex = 0;    ///< into Clusters::vertices
+  std::uint32_t first_triangle = 0;  ///< into Clusters::corners and Clusters::triangles
+  std::uint16_t vertices = 0;
+  std::uint16_t triangles = 0;
+};
+
+/// All of a mesh's triangles, each in one cluster. Which triangle lies where never decides a pixel: every picture is the same for every way to
+/// cut.
+struct Clusters {
+  /// Entries that may be read behind the last one, so that kernels load whole vectors.
+  static constexpr std::size_t kPadding = 16;
+
+  std::vector<Cluster> clusters;
+  std::vector<std::uint32_t> vertices;   ///< the mesh's vertices, cluster by cluster (+ kPadding)
+  std::vector<std::uint32_t> corners;    ///< a triangle's three vertices within its cluster: a | b << 8 | c << 16 (+ kPadding)
+  std::vector<std::uint32_t> triangles;  ///< its index in the mesh (+ kPadding); empty: the mesh's own order
+
+  [[nodiscard]] std::uint32_t triangle_at(std::uint32_t i) const { return triangles.empty() ? i : triangles[i]; }
+};
+
+/// Cuts the triangles in their order, where neighbours in the file are neighbours in space; else along a space-filling curve (Morton 1966).
+/// The result depends on the mesh alone, not on the number of threads.
+///
+/// mesh  indices inside their arrays, positions finite
+[[nodiscard]] Clusters make_clusters(const Mesh& mesh, int threads);
+
+}  // namespace lustro

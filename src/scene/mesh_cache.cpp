@@ -1,0 +1,124 @@
+// Checks run over all of a mesh, in parallel, once.
+#include "scene/mesh_cache.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "image/srgb.hpp"
+#include "mesh/normals.hpp"
+#include "parallel/parallel_for.hpp"
+
+namespace lustro {
+namespace {
+
+constexpr std::size_t kStretch = 65536;
+
+// Whether `holds` is true of every index below `count`.
+template <class Holds>
+bool all_of(std::size_t count, int threads, Holds&& holds) {
+  std::atomic<bool> result{true};
+  parallel_for((count + kStretch - 1) / kStretch, threads, [&](std::size_t s) {
+    for (std::size_t i = s * kStretch; i < std::min(count, (s + 1) * kStretch); ++i) {
+      if (!holds(i)) {
+        result = false;
+        return;
+      }
+    }
+  });
+  return result;
+}
+
+// A hand-built mesh is checked before anything reads through its indices.
+Result<void> check_mesh(const Mesh& mesh, int threads, const std::string& where) {
+  const std::size_t vertices = mesh.positions.size();
+  constexpr std::size_t kMostVertices = 0x7FFFFFFFU / 3;  // kernels address a coordinate by a signed 32-bit number
+  if (vertices > kMostVertices) {
+    return fail(ErrorKind::limit, where, fmt::format("has {} vertices; at most {} can be drawn", vertices, kMostVertices));
+  }
+  const auto fits = [vertices](std::size_t size) { return size == 0 || size == vertices; };
+  if (!fits(mesh.normals.size()) || !fits(mesh.uvs.size()) || !fits(mesh.colors.size())) {
+    return fail(ErrorKind::usage, where,
+                fmt::format("normals, uvs and colors must be empty or have one entry for each of the {} positions", vertices));
+  }
+  if (!all_of(vertices, threads, [&](std::size_t i) { return is_finite(mesh.positions[i]); })) {
+    return fail(ErrorKind::usage, where, "has a position that is not finite");
+  }
+  const auto largest = [&](std::size_t i) { return std::max({mesh.triangles[i][0], mesh.triangles[i][1], mesh.triangles[i][2]}); };
+  if (!all_of(mesh.triangles.size(), threads, [&](std::size_t i) { return largest(i) < vertices; })) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      if (largest(i) >= vertices) {
+        return fail(ErrorKind::usage, where, fmt::format("a triangle names vertex {}, but there are {}", largest(i), vertices));
+      }
+    }
+  }
+  if (!mesh.triangle_material.empty() && mesh.triangle_material.size() != mesh.triangles.size()) {
+    return fail(ErrorKind::usage, where, "triangle_material must be empty or have one entry for each triangle");
+  }
+  const std::size_t materials = std::max<std::size_t>(mesh.materials.size(), 1);
+  for (const std::uint32_t m : mesh.triangle_material) {
+    if (m >= materials) {
+      return fail(ErrorKind::usage, where, fmt::format("a triangle names material {}, but there are {}", m, materials));
+    }
+  }
+  return {};
+}
+
+bool is_unit(const Vec3f& n) {
+  return std::abs(dot(n, n) - 1) < 1e-4F;
+}
+
+// The mesh with the normals that drawing needs: interpolation takes them for unit vectors.
+std::shared_ptr<const Mesh> with_normals(const std::shared_ptr<const Mesh>& mesh, const MeshDemand& demand, int threads) {
+  if (!demand.wants_normals) {
+    return mesh;
+  }
+  if (mesh->normals.empty()) {
+    return std::make_shared<Mesh>(with_vertex_normals(*mesh, demand.normals));
+  }
+  if (all_of(mesh->normals.size(), threads, [&](std::size_t i) { return is_unit(mesh->normals[i]); })) {
+    return mesh;
+  }
+  auto copy = std::make_shared<Mesh>(*mesh);
+  for (Vec3f& n : copy->normals) {
+    const Vec3d wide = vec_cast<double>(n);  // whatever its length, no digit is lost
+    n = is_unit(n) || !(dot(wide, wide) > 0) ? n : vec_cast<float>(normalize(wide));
+  }
+  return copy;
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const DrawableMesh>> MeshCache::get(const std::shared_ptr<const Mesh>& mesh, const MeshDemand& demand, int threads,
+                                                           const std::string& where) {
+  for (Entry& entry : entries_) {
+    if (entry.drawable->stated == mesh && entry.demand == demand) {
+      entry.is_used = true;
+      return entry.drawable;
+    }
+  }
+  if (auto checked = check_mesh(*mesh, threads, where); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  auto drawable = std::make_shared<DrawableMesh>();
+  drawable->stated = mesh;
+  drawable->mesh = with_normals(mesh, demand, threads);
+  drawable->colors.reserve(drawable->mesh->colors.size());
+  for (const Vec3f& c : drawable->mesh->colors) {
+    drawable->colors.push_back(demand.encoded_colors ? Vec3f{srgb_decode(c.x), srgb_decode(c.y), srgb_decode(c.z)} : c);
+  }
+  drawable->clusters = make_clusters(*drawable->mesh, threads);
+  entries_.push_back({drawable, demand});
+  return std::shared_ptr<const DrawableMesh>(drawable);
+}
+
+void MeshCache::forget_unused() {
+  std::erase_if(entries_, [](const Entry& entry) { return !entry.is_used; });
+  for (Entry& entry : entries_) {
+    entry.is_used = false;
+  }
+}
+
+}  // namespace lustro

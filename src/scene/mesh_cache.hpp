@@ -1,0 +1,53 @@
+// What a mesh alone decides about its drawing: that it is sound, its missing normals, its clusters. Made once, kept for the pictures to come.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lustro/mesh.hpp"
+#include "lustro/result.hpp"
+#include "mesh/clusters.hpp"
+
+namespace lustro {
+
+/// A mesh ready for drawing.
+struct DrawableMesh {
+  std::shared_ptr<const Mesh> stated;  ///< as the scene holds it
+  std::shared_ptr<const Mesh> mesh;    ///< checked; with unit normals unless none were asked for
+  std::vector<Vec3f> colors;           ///< V x 3, linear, or empty
+  Clusters clusters;
+};
+
+/// What the scene's options say about a mesh.
+struct MeshDemand {
+  NormalOptions normals{};
+  bool wants_normals = true;
+  bool encoded_colors = true;  ///< vertex colours are decoded to linear light
+
+  friend bool operator==(const MeshDemand& a, const MeshDemand& b) {
+    return a.normals.weights == b.normals.weights && a.normals.crease_deg == b.normals.crease_deg && a.wants_normals == b.wants_normals &&
+           a.encoded_colors == b.encoded_colors;
+  }
+};
+
+class MeshCache {
+ public:
+  /// where  for messages: `objects[3].mesh`
+  /// errors  usage where a hand-built mesh does not fit together
+  [[nodiscard]] Result<std::shared_ptr<const DrawableMesh>> get(const std::shared_ptr<const Mesh>& mesh, const MeshDemand& demand, int threads,
+                                                                const std::string& where);
+
+  /// Drops what get() was not asked for since the last call.
+  void forget_unused();
+
+ private:
+  struct Entry {
+    std::shared_ptr<const DrawableMesh> drawable;
+    MeshDemand demand;
+    bool is_used = true;
+  };
+  std::vector<Entry> entries_;
+};
+
+}  // namespace lustro
