@@ -89,6 +89,10 @@ struct BuiltMesh {
 /// errors  malformed where an index lies outside its array; a mesh without triangles is not an error
 [[nodiscard]] Result<BuiltMesh> build_mesh(const SourceMesh& source, const NormalOptions& options = {});
 
+/// The same without a copy of the source, which is left without its geometry.
+/// threads  0: one a core; the result is the same for any number
+[[nodiscard]] Result<BuiltMesh> build_mesh(SourceMesh&& source, const NormalOptions& options = {}, int threads = 0);
+
 /// A mesh by name, so that a scene needs no file: `plane`, `cube`, `sphere`, `torus`, `teapot`, or with the number of segments
 /// `sphere:12`, `torus:48`, `plane:10`. Sizes: the plane spans -1..1 in x and z and faces +y, the cube -1..1, the sphere has radius 1, the
 /// torus radii 0.7 and 0.3 about the y axis, the teapot is about 3 high upright on y = 0 (Martin Newell's, assets/).

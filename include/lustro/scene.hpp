@@ -116,6 +116,8 @@ struct LoadOptions {
 
   /// Called by load_scene() with the scene as the file states it, before its meshes are loaded by it: the place for what overrides the file.
   std::function<Result<void>(Scene&)> adjust = {};
+
+  int threads = 0;  ///< for reading and building meshes; 0: one a core. The result is the same for any number
 };
 
 /// The scene that a JSON text describes, meshes not loaded yet (Object::source names them).

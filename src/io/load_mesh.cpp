@@ -1,7 +1,10 @@
 // Loads a mesh file by its content, and an OBJ's libraries from the folder beside it.
+#include "io/load_mesh.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <new>
 #include <stdexcept>
@@ -12,9 +15,9 @@
 #include "io/mesh_format.hpp"
 #include "io/obj.hpp"
 #include "io/ply.hpp"
+#include "io/ply_direct.hpp"
 #include "io/read_file.hpp"
 #include "io/stl.hpp"
-#include "lustro/scene.hpp"
 
 namespace lustro {
 
@@ -65,8 +68,18 @@ Result<SourceMesh> load_obj(std::string_view bytes, const fs::path& file, const 
   return parse_obj(bytes, file.string(), obj);
 }
 
-Result<SourceMesh> load(const fs::path& file, const LoadOptions& options) {
-  const Result<FileBytes> content = read_file(file);
+Result<ReadMesh> load(const fs::path& file, const LoadOptions& options) {
+  const Result<ByteSource> source = ByteSource::open(file);
+  if (!source) {
+    return tl::unexpected(source.error());
+  }
+  std::array<char, 4> mark{};
+  if (source->read(0, mark.size(), mark.data()).starts_with("ply")) {
+    if (std::optional<PlainMesh> plain = read_plain_ply(*source, options.threads)) {
+      return *std::move(plain);
+    }
+  }
+  const Result<FileBytes> content = source->read_all(options.threads);
   if (!content) {
     return tl::unexpected(content.error());
   }
@@ -78,7 +91,7 @@ Result<SourceMesh> load(const fs::path& file, const LoadOptions& options) {
     case MeshFormat::obj:
       return load_obj(bytes, file, options);
     case MeshFormat::ply:
-      return parse_ply(bytes, name);
+      return parse_any_ply(bytes, name);
     case MeshFormat::stl:
       return parse_stl(bytes, name);
     case MeshFormat::gltf:
@@ -92,7 +105,7 @@ Result<SourceMesh> load(const fs::path& file, const LoadOptions& options) {
 
 }  // namespace
 
-Result<SourceMesh> load_mesh_file(const std::filesystem::path& file, const LoadOptions& options) {
+Result<ReadMesh> read_mesh_file(const std::filesystem::path& file, const LoadOptions& options) {
   try {
     return load(file, options);
   } catch (const std::bad_alloc&) {
@@ -100,6 +113,17 @@ Result<SourceMesh> load_mesh_file(const std::filesystem::path& file, const LoadO
   } catch (const std::exception& problem) {  // names that the system's paths cannot hold
     return fail(ErrorKind::io, file.string(), problem.what());
   }
+}
+
+Result<SourceMesh> load_mesh_file(const std::filesystem::path& file, const LoadOptions& options) {
+  Result<ReadMesh> read = read_mesh_file(file, options);
+  if (!read) {
+    return tl::unexpected(std::move(read.error()));
+  }
+  if (PlainMesh* const plain = std::get_if<PlainMesh>(&*read)) {
+    return to_source(std::move(*plain));
+  }
+  return std::get<SourceMesh>(std::move(*read));
 }
 
 }  // namespace lustro

@@ -11,7 +11,9 @@
 #include <string>
 #include <system_error>
 #include <utility>
+#include <variant>
 
+#include "io/load_mesh.hpp"
 #include "io/mesh_format.hpp"
 #include "io/read_file.hpp"
 #include "lustro/scene.hpp"
@@ -61,26 +63,38 @@ std::string identity_of(const std::string& source, const fs::path& file) {
   return error ? file.string() : canonical.string();
 }
 
+Result<BuiltMesh> build(ReadMesh read, const NormalOptions& normals, int threads) {
+  PlainMesh* const plain = std::get_if<PlainMesh>(&read);
+  if (plain == nullptr) {
+    return build_mesh(std::get<SourceMesh>(std::move(read)), normals, threads);
+  }
+  return makes_plain_normals(normals) ? build_plain(std::move(*plain), normals, threads)
+                                      : build_mesh(to_source(std::move(*plain)), normals, threads);
+}
+
 /// The mesh that a `source` names, ready for drawing.
 Result<std::shared_ptr<const Mesh>> load_source(const std::string& source, const fs::path& file, const Shading& shading,
                                                 const LoadOptions& options, NoteList& notes) {
   const std::string name = is_primitive(source) ? source : file.string();
-  const Result<SourceMesh> read =
-      is_primitive(source) ? make_primitive(std::string_view(source).substr(kPrimitive.size())) : load_mesh_file(file, options);
+  Result<ReadMesh> read =
+      is_primitive(source)
+          ? make_primitive(std::string_view(source).substr(kPrimitive.size())).map([](SourceMesh&& made) { return ReadMesh(std::move(made)); })
+          : read_mesh_file(file, options);
   if (!read) {
     const Error& error = read.error();
     return fail(error.kind, error.where.empty() ? name : error.where, error.message);
   }
+  const auto* const plain = std::get_if<PlainMesh>(&*read);
   NormalOptions normals;
   normals.weights = shading.vertex_normals;
-  normals.crease_deg = shading.crease.value_or(read->weld_first ? kCreaseOfFacets : kSmooth);
+  normals.crease_deg = shading.crease.value_or(plain == nullptr && std::get<SourceMesh>(*read).weld_first ? kCreaseOfFacets : kSmooth);
   normals.recompute = shading.recompute_normals;
-  Result<BuiltMesh> built = build_mesh(*read, normals);
+  for (const Note& note : plain != nullptr ? plain->notes : std::get<SourceMesh>(*read).notes) {
+    notes.add({note.where.empty() ? name : note.where, note.message});
+  }
+  Result<BuiltMesh> built = build(*std::move(read), normals, options.threads);
   if (!built) {
     return fail(built.error().kind, joined(name, built.error().where), built.error().message);
-  }
-  for (const Note& note : read->notes) {
-    notes.add({note.where.empty() ? name : note.where, note.message});
   }
   for (const Note& note : built->notes) {
     notes.add({joined(name, note.where), note.message});

@@ -14,6 +14,7 @@
 #include "io/colors.hpp"
 #include "io/limits.hpp"
 #include "io/note_book.hpp"
+#include "io/ply_direct.hpp"
 #include "io/ply_header.hpp"
 #include "io/ply_scalars.hpp"
 #include "io/ply_values.hpp"
@@ -59,9 +60,6 @@ class BodyReader {
   bool expected_value(const PlyProperty& property) {
     return malformed(fmt::format("expected a value of {} (element {}, number {} of {}), found {}", shown(property.name), shown(element_->name),
                                  index_ + 1, element_->count, values_.found()));
-  }
-  static bool is_index_list(const PlyProperty& property) {
-    return property.count_type && (property.name == "vertex_indices" || property.name == "vertex_index");
   }
 
   const PlyHeader& header_;
@@ -212,7 +210,7 @@ bool BodyReader<Values>::read_face(const PlyElement& element, PlyScalars& scalar
       double value = 0;
       is_good = read_scalar(property, value);
       scalars.set(i, value);
-    } else if (is_index_list(property)) {
+    } else if (is_ply_index_list(property)) {
       is_good = read_indices(property, false);
     } else if (property.name == "texcoord") {
       is_good = read_texcoords(property);
@@ -234,9 +232,9 @@ bool BodyReader<Values>::read_strips(const PlyElement& element) {
     indices_.clear();
     for (const PlyProperty& property : element.properties) {
       double value = 0;
-      const bool is_good = is_index_list(property) ? read_indices(property, true)
-                           : property.count_type   ? skip_list(property)
-                                                   : read_scalar(property, value);
+      const bool is_good = is_ply_index_list(property) ? read_indices(property, true)
+                           : property.count_type       ? skip_list(property)
+                                                       : read_scalar(property, value);
       if (!is_good) {
         return false;
       }
@@ -403,14 +401,20 @@ void BodyReader<Values>::finish() {
     settle_colors(mesh_.face_colors, "face", notes_);
   }
   settle_colors(mesh_.colors, "vertex", notes_);
-  constexpr std::array kFormats{"PLY (ascii)", "PLY (binary, little endian)", "PLY (binary, big endian)"};
-  mesh_.format = kFormats[static_cast<std::size_t>(header_.encoding)];
+  mesh_.format = ply_format_name(header_.encoding);
   mesh_.notes = notes_.notes();
 }
 
 }  // namespace
 
 Result<SourceMesh> parse_ply(std::string_view bytes, const std::string& file) {
+  if (std::optional<PlainMesh> plain = read_plain_ply(ByteSource(bytes), 0)) {
+    return to_source(*std::move(plain));
+  }
+  return parse_any_ply(bytes, file);
+}
+
+Result<SourceMesh> parse_any_ply(std::string_view bytes, const std::string& file) {
   const Result<PlyHeader> header = parse_ply_header(bytes, file);
   if (!header) {
     return tl::unexpected(header.error());

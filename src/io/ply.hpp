@@ -26,4 +26,7 @@ namespace lustro {
 /// source  Turk, The PLY polygon file format, 1994
 [[nodiscard]] Result<SourceMesh> parse_ply(std::string_view bytes, const std::string& file);
 
+/// The same without the shorter way for usual files (ply_direct.hpp).
+[[nodiscard]] Result<SourceMesh> parse_any_ply(std::string_view bytes, const std::string& file);
+
 }  // namespace lustro

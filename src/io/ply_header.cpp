@@ -188,6 +188,15 @@ std::size_t size_of(PlyType type) {
   return kSizes[static_cast<std::size_t>(type)];
 }
 
+std::string ply_format_name(PlyEncoding encoding) {
+  constexpr std::array kFormats{"PLY (ascii)", "PLY (binary, little endian)", "PLY (binary, big endian)"};
+  return kFormats[static_cast<std::size_t>(encoding)];
+}
+
+bool is_ply_index_list(const PlyProperty& property) {
+  return property.count_type && (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
 std::size_t least_bytes(const PlyElement& element, PlyEncoding encoding) {
   std::size_t bytes = 0;
   for (const PlyProperty& property : element.properties) {

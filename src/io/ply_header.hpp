@@ -39,6 +39,12 @@ struct PlyHeader {
   std::size_t body_line = 1;  ///< line at which they begin
 };
 
+/// `PLY (ascii)`, ...
+[[nodiscard]] std::string ply_format_name(PlyEncoding encoding);
+
+/// True for the list of a face's corners.
+[[nodiscard]] bool is_ply_index_list(const PlyProperty& property);
+
 /// The header of a PLY file. Its lines end with LF, CRLF or CR, as its first line does; a binary body begins behind the last one.
 /// errors  malformed with the line; unsupported for a version that is not 1.0 or an unknown encoding or type
 /// source  Turk, The PLY polygon file format, 1994

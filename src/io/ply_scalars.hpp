@@ -55,6 +55,14 @@ inline constexpr std::array<std::pair<std::string_view, PlyPlace>, 28> kPlyNames
   return PlyPlace::nowhere;
 }
 
+/// What a value is divided by: integers of uvs and colours stand for 0..1. What other types hold is meant as it stands.
+[[nodiscard]] inline float divisor_of(const PlyProperty& property, PlyPlace place) {
+  if (place < PlyPlace::u || (property.type != PlyType::uint8 && property.type != PlyType::uint16)) {
+    return 1;
+  }
+  return property.type == PlyType::uint8 ? 255.0F : 65535.0F;
+}
+
 /// The scalars of one element as they are read.
 class PlyScalars {
  public:
@@ -64,9 +72,8 @@ class PlyScalars {
       const auto place = static_cast<std::size_t>(place_of(property));
       places_.push_back(place);
       is_stated_[place] = true;
-      // Integers that stand for 0..1. What other types hold is meant as it stands.
-      if (place >= static_cast<std::size_t>(PlyPlace::u) && (property.type == PlyType::uint8 || property.type == PlyType::uint16)) {
-        divisors_[place] = property.type == PlyType::uint8 ? 255.0F : 65535.0F;
+      if (const float divisor = divisor_of(property, place_of(property)); divisor != 1) {
+        divisors_[place] = divisor;
       }
     }
   }

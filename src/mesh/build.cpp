@@ -1,12 +1,17 @@
 // From a source to what is drawn: the table of contents of this folder, and the last step, in which corners become vertices.
+#include "mesh/build.hpp"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <optional>
+#include <utility>
 
-#include "lustro/mesh.hpp"
 #include "mesh/index_table.hpp"
+#include "mesh/materials.hpp"
 #include "mesh/normals.hpp"
+#include "mesh/plain_mesh.hpp"
 #include "mesh/polygon.hpp"
 #include "mesh/triangulate.hpp"
 #include "mesh/validate.hpp"
@@ -140,37 +145,12 @@ class Unifier {
   IndexTable others_;
 };
 
-/// Materials go over as they are; faces without one get the default material, appended once. None used: none kept.
-void assign_materials(const SourceMesh& faces, const std::vector<Material>& materials, const std::vector<std::uint32_t>& triangle_face,
-                      Mesh& mesh) {
-  const auto has_material = [](std::uint32_t material) { return material != kNone; };
-  if (std::none_of(faces.face_material.begin(), faces.face_material.end(), has_material)) {
-    return;
-  }
-  mesh.materials = materials;
-  const auto none = static_cast<std::uint32_t>(materials.size());
-  bool all_first = true;
-  mesh.triangle_material.reserve(triangle_face.size());
-  for (const std::uint32_t f : triangle_face) {
-    const std::uint32_t material = faces.face_material[f] == kNone ? none : faces.face_material[f];
-    if (material == none && mesh.materials.size() == none) {
-      mesh.materials.emplace_back().name = "default";
-    }
-    all_first = all_first && material == 0;
-    mesh.triangle_material.push_back(material);
-  }
-  if (all_first) {
-    mesh.triangle_material = {};
-  }
-}
-
 }  // namespace
 
-Result<BuiltMesh> build_mesh(const SourceMesh& source, const NormalOptions& options) {
-  if (!(options.crease_deg >= 0 && options.crease_deg <= 180)) {
-    return fail(ErrorKind::usage, {}, fmt::format("the crease angle {} is outside 0..180", options.crease_deg));
-  }
-  Result<ValidMesh> valid = validate(source);
+Result<BuiltMesh> build_general(SourceMesh&& source, const NormalOptions& options, int threads) {
+  const bool has_both_colors = !source.colors.empty() && !source.face_colors.empty();
+  std::vector<Material> materials = source.materials;
+  Result<ValidMesh> valid = validate(std::move(source), threads);
   if (!valid) {
     return tl::unexpected<Error>(std::move(valid.error()));
   }
@@ -178,7 +158,11 @@ Result<BuiltMesh> build_mesh(const SourceMesh& source, const NormalOptions& opti
   const CornerNormals normals = normals_for(valid->source, options);
   Triangles triangles = triangulate(valid->source);
   const std::size_t degenerate = drop_degenerate(valid->source, triangles);
-  assign_materials(valid->source, source.materials, triangles.face, built.mesh);
+  const std::vector<std::uint32_t>& face_material = valid->source.face_material;
+  if (std::any_of(face_material.begin(), face_material.end(), [](std::uint32_t material) { return material != kNone; })) {
+    assign_materials(
+        std::move(materials), triangles.face.size(), [&](std::size_t t) { return face_material[triangles.face[t]]; }, built.mesh);
+  }
 
   built.notes = std::move(valid->notes);
   if (triangles.crossing_polygons > 0) {
@@ -189,11 +173,28 @@ Result<BuiltMesh> build_mesh(const SourceMesh& source, const NormalOptions& opti
   if (degenerate > 0) {
     built.notes.push_back({{}, fmt::format("{} without area: dropped", counted(degenerate, "triangle", "triangles"))});
   }
-  if (!source.colors.empty() && !source.face_colors.empty()) {
+  if (has_both_colors) {
     built.notes.push_back({{}, "both vertices and faces have colours: those of the faces are used"});
   }
   Unifier(*valid, normals).unify(std::move(triangles), built.mesh);
   return built;
+}
+
+Result<BuiltMesh> build_mesh(SourceMesh&& source, const NormalOptions& options, int threads) {
+  if (!(options.crease_deg >= 0 && options.crease_deg <= 180)) {
+    return fail(ErrorKind::usage, {}, fmt::format("the crease angle {} is outside 0..180", options.crease_deg));
+  }
+  if (Result<void> checked = check_source(source, threads); !checked) {
+    return tl::unexpected<Error>(std::move(checked.error()));
+  }
+  if (std::optional<PlainMesh> plain = to_plain(source, options, threads)) {
+    return build_plain(*std::move(plain), options, threads);
+  }
+  return build_general(std::move(source), options, threads);
+}
+
+Result<BuiltMesh> build_mesh(const SourceMesh& source, const NormalOptions& options) {
+  return build_mesh(SourceMesh(source), options, 0);
 }
 
 }  // namespace lustro

@@ -12,9 +12,6 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
-/// A sum shorter than this share of its summands has cancelled: what is left is rounding.
-constexpr double kCancelled = 1e-6;
-
 struct FacePlanes {
   std::vector<Vec3d> normals;
   std::vector<double> areas;

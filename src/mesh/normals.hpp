@@ -9,6 +9,9 @@
 
 namespace lustro {
 
+/// A sum shorter than this share of its summands has cancelled: what is left is rounding.
+inline constexpr double kCancelled = 1e-6;
+
 /// Normals by index. No normal is shared by corners at different positions.
 struct CornerNormals {
   std::vector<Vec3f> normals;                ///< N x 3, unit

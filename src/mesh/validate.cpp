@@ -4,8 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
+#include <utility>
 
+#include "mesh/repair.hpp"
 #include "mesh/weld.hpp"
+#include "parallel/slices.hpp"
 
 namespace lustro {
 namespace {
@@ -25,8 +29,20 @@ Result<void> check_length(std::size_t found, std::size_t expected, const char* s
 }
 
 /// Every entry lies inside an array of `size`, or is kNone where that is allowed.
-Result<void> check_indices(const std::vector<std::uint32_t>& indices, std::size_t size, bool may_be_none, const char* stream, const char* of) {
-  for (std::size_t i = 0; i < indices.size(); ++i) {
+Result<void> check_indices(const std::vector<std::uint32_t>& indices, std::size_t size, bool may_be_none, const char* stream, const char* of,
+                           int threads) {
+  std::atomic<bool> is_good = true;
+  const std::uint32_t offset = may_be_none ? 1 : 0;  // kNone becomes 0, which is below everything
+  parallel_slices(indices.size(), threads, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t largest = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      largest = std::max(largest, indices[i] + offset);
+    }
+    if (largest >= size + offset) {
+      is_good = false;
+    }
+  });
+  for (std::size_t i = 0; !is_good && i < indices.size(); ++i) {
     if (indices[i] >= size && !(may_be_none && indices[i] == kNone)) {
       return malformed(fmt::format("{}[{}] is {}, expected an index below {}, the number of {}", stream, i, indices[i], size, of));
     }
@@ -50,91 +66,13 @@ Result<void> check_faces(const SourceMesh& source) {
   return {};
 }
 
-Result<void> check(const SourceMesh& s) {
-  const std::size_t corners = s.corner_position.size();
-  return check_count(s.positions.size(), "positions")
-      .and_then([&] { return check_count(s.normals.size(), "normals"); })
-      .and_then([&] { return check_count(s.uvs.size(), "texture coordinates"); })
-      .and_then([&] { return check_count(corners, "corners"); })
-      .and_then([&] { return check_count(s.face_begin.size(), "faces"); })
-      .and_then([&] { return check_faces(s); })
-      .and_then([&] { return check_length(s.colors.size(), s.positions.size(), "colors", "positions"); })
-      .and_then([&] { return check_length(s.face_colors.size(), s.face_count(), "face_colors", "faces"); })
-      .and_then([&] { return check_length(s.corner_normal.size(), corners, "corner_normal", "corners"); })
-      .and_then([&] { return check_length(s.corner_uv.size(), corners, "corner_uv", "corners"); })
-      .and_then([&] { return check_length(s.face_smoothing.size(), s.face_count(), "face_smoothing", "faces"); })
-      .and_then([&] { return check_length(s.face_material.size(), s.face_count(), "face_material", "faces"); })
-      .and_then([&] { return check_length(s.face_object.size(), s.face_count(), "face_object", "faces"); })
-      .and_then([&] { return check_indices(s.corner_position, s.positions.size(), false, "corner_position", "positions"); })
-      .and_then([&] { return check_indices(s.corner_normal, s.normals.size(), true, "corner_normal", "normals"); })
-      .and_then([&] { return check_indices(s.corner_uv, s.uvs.size(), true, "corner_uv", "texture coordinates"); })
-      .and_then([&] { return check_indices(s.face_material, s.materials.size(), true, "face_material", "materials"); })
-      .and_then([&] { return check_indices(s.face_object, s.objects.size(), true, "face_object", "objects"); });
-}
-
-/// What is carried on; the copy of a big mesh is made once.
-SourceMesh copy_geometry(const SourceMesh& s) {
-  SourceMesh copy;
-  copy.positions = s.positions;
-  copy.normals = s.normals;
-  copy.uvs = s.uvs;
-  copy.colors = s.colors;
-  copy.face_colors = s.face_colors;
-  copy.face_begin = s.face_begin;
-  copy.corner_position = s.corner_position;
-  copy.corner_normal = s.corner_normal;
-  copy.corner_uv = s.corner_uv;
-  copy.face_smoothing = s.face_smoothing;
-  copy.face_material = s.face_material;
-  copy.format = s.format;
-  copy.weld_first = s.weld_first;
-  return copy;
-}
-
-std::size_t whiten(std::vector<Vec3f>& colors) {
-  std::size_t count = 0;
-  for (Vec3f& color : colors) {
-    if (!is_finite(color)) {
-      color = {1, 1, 1};
-      ++count;
+/// Corners forget the normals that could not be made unit vectors.
+void forget_unusable_normals(SourceMesh& mesh) {
+  for (std::uint32_t& normal : mesh.corner_normal) {
+    if (normal != kNone && mesh.normals[normal] == Vec3f{}) {
+      normal = kNone;
     }
   }
-  return count;
-}
-
-std::size_t replace_uvs(std::vector<Vec2f>& uvs) {
-  std::size_t count = 0;
-  for (Vec2f& uv : uvs) {
-    if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) {
-      uv = {0, 0};
-      ++count;
-    }
-  }
-  return count;
-}
-
-/// Makes the normals unit vectors; those that cannot be are forgotten by the corners that name them.
-std::size_t normalize_normals(SourceMesh& mesh) {
-  std::vector<bool> unusable(mesh.normals.size(), false);
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
-    const Vec3d n = vec_cast<double>(mesh.normals[i]);
-    const double size = length(n);
-    if (std::isfinite(size) && size > 0) {
-      mesh.normals[i] = vec_cast<float>(Vec3d{n.x / size, n.y / size, n.z / size});
-    } else {
-      unusable[i] = true;
-      ++count;
-    }
-  }
-  if (count > 0) {
-    for (std::uint32_t& normal : mesh.corner_normal) {
-      if (normal != kNone && unusable[normal]) {
-        normal = kNone;
-      }
-    }
-  }
-  return count;
 }
 
 void weld(ValidMesh& mesh) {
@@ -237,21 +175,55 @@ Result<void> check_count(std::size_t count, const char* what) {
   return {};
 }
 
+Result<void> check_source(const SourceMesh& s, int threads) {
+  const std::size_t corners = s.corner_position.size();
+  return check_count(s.positions.size(), "positions")
+      .and_then([&] { return check_count(s.normals.size(), "normals"); })
+      .and_then([&] { return check_count(s.uvs.size(), "texture coordinates"); })
+      .and_then([&] { return check_count(corners, "corners"); })
+      .and_then([&] { return check_count(s.face_begin.size(), "faces"); })
+      .and_then([&] { return check_faces(s); })
+      .and_then([&] { return check_length(s.colors.size(), s.positions.size(), "colors", "positions"); })
+      .and_then([&] { return check_length(s.face_colors.size(), s.face_count(), "face_colors", "faces"); })
+      .and_then([&] { return check_length(s.corner_normal.size(), corners, "corner_normal", "corners"); })
+      .and_then([&] { return check_length(s.corner_uv.size(), corners, "corner_uv", "corners"); })
+      .and_then([&] { return check_length(s.face_smoothing.size(), s.face_count(), "face_smoothing", "faces"); })
+      .and_then([&] { return check_length(s.face_material.size(), s.face_count(), "face_material", "faces"); })
+      .and_then([&] { return check_length(s.face_object.size(), s.face_count(), "face_object", "faces"); })
+      .and_then([&] { return check_indices(s.corner_position, s.positions.size(), false, "corner_position", "positions", threads); })
+      .and_then([&] { return check_indices(s.corner_normal, s.normals.size(), true, "corner_normal", "normals", threads); })
+      .and_then([&] { return check_indices(s.corner_uv, s.uvs.size(), true, "corner_uv", "texture coordinates", threads); })
+      .and_then([&] { return check_indices(s.face_material, s.materials.size(), true, "face_material", "materials", threads); })
+      .and_then([&] { return check_indices(s.face_object, s.objects.size(), true, "face_object", "objects", threads); });
+}
+
 Result<ValidMesh> validate(const SourceMesh& source) {
-  if (Result<void> checked = check(source); !checked) {
+  return validate(SourceMesh(source), 0);
+}
+
+Result<ValidMesh> validate(SourceMesh&& source, int threads) {
+  if (Result<void> checked = check_source(source, threads); !checked) {
     return tl::unexpected<Error>(checked.error());
   }
-  ValidMesh mesh{copy_geometry(source), {}, {}};
+  ValidMesh mesh{std::move(source), {}, {}};
+  mesh.source.materials = {};
+  mesh.source.objects = {};
+  mesh.source.face_object = {};
+  mesh.source.notes = {};
   const auto note = [&](std::size_t count, const char* singular, const char* plural, const char* what) {
     if (count > 0) {
       mesh.notes.push_back({{}, fmt::format("{} {}", counted(count, singular, plural), what)});
     }
   };
-  const std::size_t white = whiten(mesh.source.colors) + whiten(mesh.source.face_colors);
+  const std::size_t white = whiten(mesh.source.colors, threads) + whiten(mesh.source.face_colors, threads);
   note(white, "colour", "colours", "not finite: white instead");
-  note(replace_uvs(mesh.source.uvs), "texture coordinate", "texture coordinates", "not finite: (0, 0) instead");
-  note(normalize_normals(mesh.source), "normal", "normals", "zero or not finite: made from the faces instead");
-  if (source.weld_first) {
+  note(replace_uvs(mesh.source.uvs, threads), "texture coordinate", "texture coordinates", "not finite: (0, 0) instead");
+  const std::size_t unusable = normalize_normals(mesh.source.normals, threads);
+  note(unusable, "normal", "normals", "zero or not finite: made from the faces instead");
+  if (unusable > 0) {
+    forget_unusable_normals(mesh.source);
+  }
+  if (mesh.source.weld_first) {
     weld(mesh);
   }
   const Dropped dropped = drop_faces(mesh);

@@ -22,6 +22,11 @@ struct ValidMesh {
 
 /// errors  malformed where arrays do not fit together or an index lies outside its array; limit beyond 2^32 - 2 positions or corners
 [[nodiscard]] Result<ValidMesh> validate(const SourceMesh& source);
+/// The same without a copy. Where there is an error, the source is as it was.
+[[nodiscard]] Result<ValidMesh> validate(SourceMesh&& source, int threads);
+
+/// The checks alone: arrays that fit together, indices inside.
+[[nodiscard]] Result<void> check_source(const SourceMesh& source, int threads);
 
 /// errors  limit where an array of `count` things could not be indexed
 [[nodiscard]] Result<void> check_count(std::size_t count, const char* what);

@@ -35,7 +35,7 @@ void run_on_threads(std::size_t count, int threads, const std::function<void(std
   std::atomic<std::size_t> next = 0;
   std::exception_ptr failure;
   std::mutex failure_mutex;
-  std::vector<std::thread> workers(threads > 0 ? static_cast<std::size_t>(threads) : 4);
+  std::vector<std::thread> workers(thread_count(threads));
   for (std::thread& worker : workers) {
     worker = std::thread([&] {
       try {
@@ -70,6 +70,14 @@ void run_on_threads(std::size_t count, int threads, const std::function<void(std
 #endif
 
 }  // namespace
+
+std::size_t thread_count(int threads) {
+#ifdef LUSTRO_PLAIN_THREADS
+  return threads > 0 ? static_cast<std::size_t>(threads) : 4;
+#else
+  return static_cast<std::size_t>(threads > 0 ? threads : tbb::info::default_concurrency());
+#endif
+}
 
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body) {
   if (threads == 1 || count <= 1) {

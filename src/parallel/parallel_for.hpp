@@ -10,4 +10,7 @@ namespace lustro {
 /// that another one writes.
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
 
+/// How many threads parallel_for() uses: `threads`, or one a core where it is 0.
+[[nodiscard]] std::size_t thread_count(int threads);
+
 }  // namespace lustro

@@ -1,0 +1,108 @@
+// From the general form to the plain one and back.
+#include "mesh/plain_mesh.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <utility>
+
+#include "parallel/big_memory.hpp"
+#include "parallel/slices.hpp"
+
+namespace lustro {
+namespace {
+
+bool all_equal_corners(const std::vector<std::uint32_t>& corners, const std::vector<std::uint32_t>& positions, int threads) {
+  std::atomic<bool> is_equal = corners.size() == positions.size();
+  parallel_slices(is_equal ? corners.size() : 0, threads, [&](std::size_t begin, std::size_t end) {
+    if (std::memcmp(corners.data() + begin, positions.data() + begin, (end - begin) * sizeof(std::uint32_t)) != 0) {
+      is_equal = false;
+    }
+  });
+  return is_equal;
+}
+
+bool all_triangles(const std::vector<std::uint32_t>& face_begin, int threads) {
+  std::atomic<bool> is_good = true;
+  parallel_slices(face_begin.size(), threads, [&](std::size_t begin, std::size_t end) {
+    bool good = true;
+    for (std::size_t f = begin; f < end; ++f) {
+      good &= face_begin[f] == 3 * f;
+    }
+    if (!good) {
+      is_good = false;
+    }
+  });
+  return is_good;
+}
+
+/// All faces are in one smoothing group, or there are none.
+bool is_all_smooth(const std::vector<std::uint32_t>& smoothing) {
+  return smoothing.empty() ||
+         (smoothing.front() != 0 && std::all_of(smoothing.begin(), smoothing.end(), [&](std::uint32_t s) { return s == smoothing.front(); }));
+}
+
+}  // namespace
+
+SourceMesh to_source(PlainMesh plain) {
+  SourceMesh source;
+  const std::size_t corners = 3 * plain.triangles.size();
+  resize_big(source.corner_position, corners);
+  if (corners != 0) {
+    std::memcpy(source.corner_position.data(), plain.triangles.data(), corners * sizeof(std::uint32_t));
+  }
+  plain.triangles = {};
+  resize_big(source.face_begin, corners / 3 + 1);
+  for (std::size_t f = 0; f < source.face_begin.size(); ++f) {
+    source.face_begin[f] = static_cast<std::uint32_t>(3 * f);
+  }
+  if (!plain.normals.empty()) {
+    source.corner_normal = source.corner_position;
+  }
+  if (!plain.uvs.empty()) {
+    source.corner_uv = source.corner_position;
+  }
+  source.positions = std::move(plain.positions);
+  source.normals = std::move(plain.normals);
+  source.uvs = std::move(plain.uvs);
+  source.colors = std::move(plain.colors);
+  source.face_material = std::move(plain.materials_of);
+  source.materials = std::move(plain.materials);
+  source.format = std::move(plain.format);
+  source.notes = std::move(plain.notes);
+  return source;
+}
+
+std::optional<PlainMesh> to_plain(SourceMesh& source, const NormalOptions& options, int threads) {
+  const std::size_t vertices = source.positions.size();
+  const bool has_normals = !source.corner_normal.empty();
+  const bool has_uvs = !source.corner_uv.empty();
+  const bool is_plain = makes_plain_normals(options) && !source.weld_first && source.face_colors.empty() &&
+                        (source.normals.empty() || (has_normals && source.normals.size() == vertices)) &&
+                        (source.uvs.empty() || (has_uvs && source.uvs.size() == vertices)) && is_all_smooth(source.face_smoothing) &&
+                        all_triangles(source.face_begin, threads) &&
+                        (!has_normals || all_equal_corners(source.corner_normal, source.corner_position, threads)) &&
+                        (!has_uvs || all_equal_corners(source.corner_uv, source.corner_position, threads));
+  if (!is_plain) {
+    return std::nullopt;
+  }
+  PlainMesh plain;
+  source.corner_normal = {};
+  source.corner_uv = {};
+  resize_big(plain.triangles, source.corner_position.size() / 3);
+  parallel_slices(plain.triangles.size(), threads, [&](std::size_t begin, std::size_t end) {
+    std::memcpy(plain.triangles.data() + begin, source.corner_position.data() + 3 * begin, 12 * (end - begin));
+  });
+  source.corner_position = {};
+  plain.positions = std::move(source.positions);
+  plain.normals = std::move(source.normals);
+  plain.uvs = std::move(source.uvs);
+  plain.colors = std::move(source.colors);
+  plain.materials_of = std::move(source.face_material);
+  plain.materials = std::move(source.materials);
+  plain.format = std::move(source.format);
+  plain.notes = std::move(source.notes);
+  return plain;
+}
+
+}  // namespace lustro
