@@ -67,5 +67,40 @@ TEST(ReadFile, AFileLargerThanTheMemoryIsRefusedAtOnce) {
   EXPECT_EQ(bad(read_file(folder.path / "x")).kind, ErrorKind::limit);
 }
 
+TEST(ByteSource, GivesAnyPartOfAFileAsOfMemory) {
+  const TemporaryFolder folder;
+  std::string bytes;
+  for (std::size_t i = 0; i < 5'000'000; ++i) {
+    bytes += static_cast<char>(i * i >> 7U);
+  }
+  folder.write("x", bytes);
+  const Result<ByteSource> file = ByteSource::open(folder.path / "x");
+  ASSERT_TRUE(file.has_value());
+  const ByteSource memory{std::string_view(bytes)};
+  for (const ByteSource* source : {&*file, &memory}) {
+    EXPECT_EQ(source->size(), bytes.size());
+    std::string room(1000, ' ');
+    EXPECT_EQ(source->read(0, 1000, room.data()), bytes.substr(0, 1000));
+    EXPECT_EQ(source->read(4'999'990, 10, room.data()), bytes.substr(4'999'990));
+    EXPECT_EQ(source->read(4'999'991, 10, room.data()), "");
+    EXPECT_EQ(source->read(5'000'001, 0, room.data()), "");
+    for (const int threads : {1, 2, 5}) {
+      EXPECT_EQ(good(source->read_all(threads)).view(), bytes);
+    }
+  }
+}
+
+TEST(ByteSource, AFileThatIsShortenedMeanwhileEndsWhereItEnds) {
+  const TemporaryFolder folder;
+  folder.write("x", std::string(4'000'000, 'a'));
+  const Result<ByteSource> source = ByteSource::open(folder.path / "x");
+  ASSERT_TRUE(source.has_value());
+  fs::resize_file(folder.path / "x", 2'500'001);
+  EXPECT_EQ(source->size(), 4'000'000U);
+  std::string room(100, ' ');
+  EXPECT_EQ(source->read(3'000'000, 100, room.data()), "");
+  EXPECT_EQ(good(source->read_all(3)).view(), std::string(2'500'001, 'a'));
+}
+
 }  // namespace
 }  // namespace lustro
