@@ -15,11 +15,16 @@ std::string why_empty(const Scene& scene, const RenderStats& stats) {
     return "there is no triangle in it";
   }
   if (stats.triangles_seen == 0) {
-    return fmt::format("none of the {} triangles lies before the camera, between near and far, and inside the picture{}", stats.triangles,
+    const std::string who =
+        stats.triangles == 1 ? "its one triangle does not lie" : fmt::format("none of the {} triangles lies", stats.triangles);
+    return fmt::format("{} before the camera, between near and far, and inside the picture{}", who,
                        scene.camera.eye ? "; without an eye the camera frames everything" : "");
   }
-  return fmt::format("the {} triangles that lie in the picture fall between its samples: they are too small or seen edge-on",
-                     stats.triangles_seen);
+  return stats.triangles_seen == 1 ? "the one triangle that lies in the picture falls between its samples: it is too small or seen edge-on"
+                                   : fmt::format(
+                                         "the {} triangles that lie in the picture fall between its samples: they are too small or "
+                                         "seen edge-on",
+                                         stats.triangles_seen);
 }
 
 Rendering empty_rendering(const Scene& scene) {

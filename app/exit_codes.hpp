@@ -10,7 +10,7 @@ namespace lustro::app {
 
 enum class ExitCode : int {
   success = 0,
-  different = 1,    ///< `compare`: more pixels than allowed differ by more than the tolerance
+  different = 1,    ///< `compare`: more pixels than allowed differ by more than the tolerance; `render --expect-hash`: another hash
   usage = 2,        ///< flags or arguments that do not exist or do not fit together
   io = 3,           ///< a file cannot be opened, read or written
   malformed = 4,    ///< an input breaks the rules of its format
@@ -28,7 +28,7 @@ struct ExitCodeMeaning {
 /// Every code with its meaning, as the help, the man page and the completions print them.
 inline constexpr std::array<ExitCodeMeaning, 9> kExitCodes{{
     {ExitCode::success, "done"},
-    {ExitCode::different, "compare: the pictures differ by more than the tolerance"},
+    {ExitCode::different, "compare: the pictures differ by more than the tolerance; render --expect-hash: the picture has another hash"},
     {ExitCode::usage, "unknown or contradictory flags and arguments"},
     {ExitCode::io, "a file cannot be opened, read or written"},
     {ExitCode::malformed, "an input breaks the rules of its format"},

@@ -115,6 +115,7 @@ std::string man_page(const Manual& manual) {
     page += entry(fmt::format("\\fB{}\\fR", static_cast<int>(code.code)), std::string(code.meaning));
   }
   page += ".SH ENVIRONMENT\n" + entry("\\fBNO_COLOR\\fR", "If set and not empty, nothing is coloured, not even on a terminal");
+  page += entry("\\fBLUSTRO_TARGET\\fR", "What --target says where it is not stated");
   page += entry("\\fBCOLUMNS\\fR", "The width of help and tables, 60 to 110");
   return page + ".SH EXAMPLES\n" + examples_of(manual.root);
 }

@@ -56,12 +56,16 @@ std::vector<std::string> OptionDoc::choices() const {
     }
     return words;
   }
-  const bool is_list = value.find('|') != std::string::npos && std::none_of(value.begin(), value.end(), [](unsigned char c) {
-                         return std::isupper(c) != 0 || c == ' ' || c == '[' || c == ',';
-                       });
+  // A part with capitals or commas stands for something: `X,Y,Z|auto|avx2`.
+  const auto is_word = [](const std::string& part) {
+    return std::none_of(part.begin(), part.end(), [](unsigned char c) { return std::isupper(c) != 0 || c == ' ' || c == '[' || c == ','; });
+  };
+  const bool is_list = value.find('|') != std::string::npos;
   for (std::size_t begin = 0; is_list && begin <= value.size();) {
     const std::size_t end = std::min(value.find('|', begin), value.size());
-    words.push_back(value.substr(begin, end - begin));
+    if (std::string part = value.substr(begin, end - begin); is_word(part)) {
+      words.push_back(std::move(part));
+    }
     begin = end + 1;
   }
   return words;

@@ -2,6 +2,7 @@
 // `lustro:`, in colour on a terminal only (https://no-color.org).
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -39,5 +40,10 @@ void say(const Session& session, std::string_view text);
 
 /// Text of untrusted origin (file names, names in files) with control characters made visible, so that a file cannot command the terminal.
 [[nodiscard]] std::string printable(std::string_view text);
+
+/// 1234567 as 1,234,567.
+[[nodiscard]] std::string grouped(std::uint64_t number);
+/// `1 triangle`, `1,234 triangles`.
+[[nodiscard]] std::string counted(std::uint64_t number, const char* one, const char* many);
 
 }  // namespace lustro::app

@@ -122,6 +122,15 @@ CLI::Option* add_field(CLI::App& app, const FieldInfo& field, const std::string&
   return option->group(group);
 }
 
+/// What was stated for the scene.
+std::vector<std::string> values_of(const SceneFlags::Flag& flag, const SceneFlags& flags) {
+  std::vector<std::string> values = flag.option->results();
+  if (flags.has_two_targets && flag.name == "--target") {
+    values.erase(std::remove_if(values.begin(), values.end(), is_target_word), values.end());
+  }
+  return values;
+}
+
 /// `800x600`, also `800X600` and `800,600`.
 Result<void> apply_size(Scene& scene, const std::string& text) {
   const std::size_t split = text.find_first_of("xX,");
@@ -137,6 +146,11 @@ Result<void> apply_size(Scene& scene, const std::string& text) {
 }
 
 }  // namespace
+
+bool is_target_word(std::string_view value) {
+  return !value.empty() && std::isalpha(static_cast<unsigned char>(value.front())) != 0 && value.find(',') == std::string_view::npos &&
+         value != "none";
+}
 
 SceneFlags add_scene_flags(CLI::App& app) {
   const std::string size_description = "Width and height in one";
@@ -171,7 +185,7 @@ Result<void> apply_scene_flags(const SceneFlags& flags, Scene& scene) {
   }
   const auto is_stated = [&flags](std::string_view name) {
     return std::any_of(flags.flags.begin(), flags.flags.end(),
-                       [&](const SceneFlags::Flag& f) { return f.name == name && f.option->count() > 0; });
+                       [&](const SceneFlags::Flag& f) { return f.name == name && !values_of(f, flags).empty(); });
   };
   if (is_stated("--view")) {  // a view is asked for: where the scene's own camera stands no longer counts
     scene.camera.eye.reset();
@@ -185,12 +199,15 @@ Result<void> apply_scene_flags(const SceneFlags& flags, Scene& scene) {
     }
   }
   for (const SceneFlags::Flag& flag : flags.flags) {
-    const std::vector<std::string>& values = flag.option->results();
+    const std::vector<std::string> values = values_of(flag, flags);
     if (flag.name == "--light" && !values.empty()) {
       if (flags.no_lights->count() > 0) {
         return fail(ErrorKind::usage, "--no-lights", "contradicts --light");
       }
       scene.lights.emplace();
+    }
+    if (flag.name == "--target" && values.size() > 1) {
+      return fail(ErrorKind::usage, "--target", "may be stated only once");
     }
     for (const std::string& value : values) {
       if (const Result<void> set = set_scene_flag(scene, flag.name, value); !set) {

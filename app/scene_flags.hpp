@@ -4,6 +4,7 @@
 
 #include <CLI/App.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lustro/scene.hpp"
@@ -18,10 +19,14 @@ struct SceneFlags {
   };
   std::vector<Flag> flags;
   CLI::Option* size = nullptr;       ///< `--size 800x600`: --width and --height in one
+  bool has_two_targets = false;      ///< `--target` takes a target to draw with as well (drawing.hpp)
   CLI::Option* no_lights = nullptr;  ///< `--no-lights`: --light none
 };
 
 [[nodiscard]] SceneFlags add_scene_flags(CLI::App& app);
+
+/// Whether a value of `--target` names a target to draw with (`avx2`), not the point that the camera looks at (`0,1,0`, `none`).
+[[nodiscard]] bool is_target_word(std::string_view value);
 
 /// Lays the stated flags over the scene. The first --light replaces the scene's lights, further ones join it.
 /// errors  usage, `where` is the flag

@@ -5,12 +5,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 #include "app/commands.hpp"
-#include "app/emptiness.hpp"
+#include "app/drawing.hpp"
+#include "app/hash_text.hpp"
 #include "app/json_out.hpp"
 #include "app/outputs.hpp"
-#include "app/progress.hpp"
 #include "app/scene_input.hpp"
 
 namespace lustro::app {
@@ -19,7 +20,9 @@ namespace {
 struct RenderFlags {
   std::string scene;
   SceneFlags scene_flags;
+  DrawFlags draw_flags;
   std::vector<std::string> outputs;
+  std::string expected_hash;
   std::string aovs;
   int bits = 8;
   int png_level = 6;
@@ -43,27 +46,21 @@ Result<void> check_flags(const Session& session, const RenderFlags& flags) {
   return {};
 }
 
-Result<Rendering> draw(const Session& session, const Scene& scene, std::vector<Aov> aovs, bool allow_empty) {
-  ProgressBar progress(session, "drawing");
-  Result<Rendering> rendering = render(scene, {.threads = session.threads, .aovs = std::move(aovs), .progress = progress.callback()});
-  progress.wipe();
-  if (!rendering && rendering.error().kind == ErrorKind::empty && allow_empty) {
-    say_warning(session, fmt::format("nothing was drawn: {}", rendering.error().message));
-    return empty_rendering(scene);
-  }
-  return rendering;
-}
-
+/// `hash` stands there only where one was asked for.
 Json render_json(const RenderFlags& flags, const Scene& scene, const Rendering& rendering, const std::vector<std::string>& written,
-                 const Notes& notes) {
-  return {{"scene", flags.scene},
-          {"outputs", written},
-          {"width", scene.image.width},
-          {"height", scene.image.height},
-          {"samples", scene.image.samples},
-          {"triangles", rendering.stats.triangles},
-          {"pixels_covered", rendering.stats.pixels_covered},
-          {"notes", json_notes(notes)}};
+                 const Notes& notes, const std::optional<std::uint64_t>& hash) {
+  Json json{{"scene", flags.scene},
+            {"outputs", written},
+            {"width", scene.image.width},
+            {"height", scene.image.height},
+            {"samples", scene.image.samples},
+            {"triangles", rendering.stats.triangles},
+            {"pixels_covered", rendering.stats.pixels_covered},
+            {"notes", json_notes(notes)}};
+  if (hash) {
+    json["hash"] = hash_text(*hash);
+  }
+  return json;
 }
 
 /// A line for each picture, and one for all their layers.
@@ -74,8 +71,8 @@ void say_what_was_written(const Session& session, const std::vector<std::string>
     if (std::find(outputs.begin(), outputs.end(), file) == outputs.end()) {
       layers += (layers.empty() ? "" : ", ") + file;
     } else if (file != kStdout) {
-      say(session,
-          fmt::format("wrote {} ({} x {}, {} triangles, {:.2f} s)", file, image.width, image.height, rendering.stats.triangles, seconds));
+      say(session, fmt::format("wrote {} ({} x {}, {}, {:.2f} s)", file, image.width, image.height,
+                               counted(rendering.stats.triangles, "triangle", "triangles"), seconds));
     }
   }
   if (!layers.empty()) {
@@ -87,9 +84,22 @@ Result<ExitCode> run_render(const Session& session, const RenderFlags& flags) {
   if (const Result<void> checked = check_flags(session, flags); !checked) {
     return tl::unexpected(checked.error());
   }
-  Result<std::vector<Aov>> aovs = parse_aovs(flags.aovs);
-  if (!flags.aovs.empty() && !aovs) {
-    return fail(aovs.error().kind, "--aov", aovs.error().message);
+  Result<RenderOptions> options = render_options(session, flags.draw_flags);
+  if (!options) {
+    return tl::unexpected(options.error());
+  }
+  Result<std::vector<Aov>> aovs = parse_aov_flag(flags.aovs);
+  if (!aovs) {
+    return tl::unexpected(aovs.error());
+  }
+  options->aovs = std::move(*aovs);
+  std::optional<std::uint64_t> expected;
+  if (!flags.expected_hash.empty()) {
+    const Result<std::uint64_t> parsed = parse_hash(flags.expected_hash);
+    if (!parsed) {
+      return fail(parsed.error().kind, "--expect-hash", parsed.error().message);
+    }
+    expected = *parsed;
   }
   Result<LoadedScene> loaded = load_scene_argument(flags.scene, flags.scene_flags, {.transparency_is_tr = flags.mtl_tr, .adjust = {}});
   if (!loaded) {
@@ -111,45 +121,36 @@ Result<ExitCode> run_render(const Session& session, const RenderFlags& flags) {
 
   const auto start = std::chrono::steady_clock::now();
   Notes notes = std::move(loaded->notes);
-  const Result<Rendering> rendering = draw(session, scene, flags.aovs.empty() ? std::vector<Aov>{} : std::move(*aovs), flags.allow_empty);
+  const Result<Rendering> rendering = draw_scene(session, flags.scene, scene, flags.scene_flags, *std::move(options), flags.allow_empty);
   if (rendering) {
     notes.insert(notes.end(), rendering->notes.begin(), rendering->notes.end());
   }
   say_warnings(session, notes);
-  if (!rendering && rendering.error().kind == ErrorKind::empty) {
-    return fail(ErrorKind::empty, flags.scene,
-                fmt::format("nothing was drawn: {} (--allow-empty writes the picture all the same)", rendering.error().text()));
-  }
   if (!rendering) {
     return tl::unexpected(rendering.error());
   }
-  if (rendering->stats.pixels_covered == 0 && rendering->stats.triangles > 0) {
-    const std::string reason = why_empty(scene, rendering->stats);
-    if (!flags.allow_empty) {
-      return fail(ErrorKind::empty, flags.scene, fmt::format("nothing was drawn: {} (--allow-empty writes the picture all the same)", reason));
+  std::optional<std::uint64_t> hash;
+  if (expected) {
+    hash = hash_image(rendering->color);
+    if (*hash != *expected) {
+      say_error(fmt::format("{}: the picture's hash is {}, and {} was expected; nothing is written", flags.scene, hash_text(*hash),
+                            hash_text(*expected)));
+      const Result<void> printed = session.json ? print_json(render_json(flags, scene, *rendering, {}, notes, hash)) : Result<void>{};
+      return printed.map([] { return ExitCode::different; });
     }
-    say_warning(session, fmt::format("{}: nothing was drawn: {}", flags.scene, reason));
   }
 
-  const WriteOptions options{.bits = flags.bits, .transfer = scene.image.transfer, .png_level = flags.png_level};
-  const Result<std::vector<std::string>> written = write_outputs(outputs, *rendering, options);
+  const WriteOptions write_options{.bits = flags.bits, .transfer = scene.image.transfer, .png_level = flags.png_level};
+  const Result<std::vector<std::string>> written = write_outputs(outputs, *rendering, write_options);
   if (!written) {
     return tl::unexpected(written.error());
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   say_what_was_written(session, outputs, *written, scene.image, *rendering, seconds);
   if (session.json) {
-    return print_json(render_json(flags, scene, *rendering, *written, notes)).map([] { return ExitCode::success; });
+    return print_json(render_json(flags, scene, *rendering, *written, notes, hash)).map([] { return ExitCode::success; });
   }
   return ExitCode::success;
-}
-
-std::string aov_list() {
-  std::string names;
-  for (const std::string_view name : aov_names()) {
-    names += (names.empty() ? "" : ", ") + std::string(name) + (name == "light" ? ":N, light:*" : "");
-  }
-  return names;
 }
 
 }  // namespace
@@ -174,11 +175,16 @@ Command make_render(CommandLine& line, Session& session) {
       ->type_name("LIST")
       ->group(output);
   app->add_option("--png-level", flags->png_level, "Compression of PNG, 0 (none) to 12 (slow) (default: 6)")->type_name("N")->group(output);
+  app->add_option("--expect-hash", flags->expected_hash,
+                  "Writes only if the picture has this hash, as `lustro hash` prints it; otherwise the exit code is 1")
+      ->type_name("HASH")
+      ->group(output);
   app->add_flag("--allow-empty", flags->allow_empty, "Writes the picture even if nothing was drawn in it")
       ->disable_flag_override()
       ->group(output);
   app->add_flag("--print-scene", flags->print_scene, "Draws nothing; prints the scene file with all flags laid over it")->group(output);
   flags->scene_flags = add_scene_flags(*app);
+  add_draw_flags(*app, flags->draw_flags, flags->scene_flags);
   app->add_flag("--mtl-tr", flags->mtl_tr, "A lone Tr in an MTL file is the opacity, as 3ds Max writes it, not 1 - opacity")
       ->disable_flag_override()
       ->group("Input");

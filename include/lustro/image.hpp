@@ -36,6 +36,10 @@ struct Image {
   }
 };
 
+/// A 64-bit hash of the floats, bit by bit: equal for equal pictures, on every machine. It is XXH64 of the pixels as they lie in memory (32-bit
+/// little-endian floats, interleaved, the top row first) with the seed width + height 2^24 + channels 2^48.
+[[nodiscard]] std::uint64_t hash_image(const Image& image);
+
 /// One named image of a rendering: the picture's terms, depth, normals, ...
 struct Layer {
   std::string name;                   ///< `diffuse`, `normal`, `light:0`, ...

@@ -260,7 +260,7 @@ TEST_F(RenderCommand, AnEmptyPictureFailsAndLeavesNoFile) {
   write_text(work() / "square.obj", behind_obj());
   const Outcome outcome = lustro({"render", "scene.json", "-o", "out.png"});
   EXPECT_EQ(outcome.code, 7);
-  EXPECT_THAT(outcome.err, HasSubstr("lustro: error: scene.json: nothing was drawn: none of the 1 triangles lies before the camera"));
+  EXPECT_THAT(outcome.err, HasSubstr("lustro: error: scene.json: nothing was drawn: its one triangle does not lie before the camera"));
   EXPECT_FALSE(std::filesystem::exists(work() / "out.png"));
   const Outcome allowed = lustro({"render", "scene.json", "-o", "out.png", "--allow-empty"});
   EXPECT_EQ(allowed.code, 0);

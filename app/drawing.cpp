@@ -1,0 +1,159 @@
+// Drawing for a command: see drawing.hpp.
+#include "drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+
+#include "emptiness.hpp"
+#include "progress.hpp"
+#include "scene/fields.hpp"
+#include "words.hpp"
+
+namespace lustro::app {
+namespace {
+
+constexpr const char* kTargetVariable = "LUSTRO_TARGET";
+constexpr std::string_view kAllowEmptyHint = "(--allow-empty writes the picture all the same)";
+
+/// The target that is asked for, and where: by the flag, else by the environment.
+struct NamedTarget {
+  std::string name = "auto";
+  std::string place;
+};
+
+Result<NamedTarget> named_target(const DrawFlags& flags) {
+  NamedTarget named;
+  for (const std::string& value : flags.target->results()) {
+    if (!is_target_word(value)) {
+      continue;  // the camera's
+    }
+    if (!named.place.empty()) {
+      return fail(ErrorKind::usage, "--target", fmt::format("{} and {} cannot both draw", named.name, value));
+    }
+    named = {value, "--target"};
+  }
+  if (const char* const variable = std::getenv(kTargetVariable); named.place.empty() && variable != nullptr && *variable != '\0') {
+    named = {variable, kTargetVariable};
+  }
+  return named;
+}
+
+/// The stated flag that an error at this key (`camera.near`) is about: the key's own, else another one of its table; empty where there is none.
+std::string flag_of_key(std::string_view key, const SceneFlags& flags) {
+  const auto is_stated = [&flags](std::string_view name) {
+    return !name.empty() && std::any_of(flags.flags.begin(), flags.flags.end(),
+                                        [&](const SceneFlags::Flag& f) { return f.name == name && f.option->count() > 0; });
+  };
+  for (const FieldGroup& group : field_groups()) {
+    if (group.path.empty() || !key.starts_with(group.path) || key.substr(group.path.size(), 1) != ".") {
+      continue;
+    }
+    std::string other;
+    for (const FieldInfo& field : group.fields) {
+      if (!is_stated(field.flag)) {
+        continue;
+      }
+      if (field.key == key.substr(group.path.size() + 1)) {
+        return std::string(field.flag);
+      }
+      other = field.flag;
+    }
+    return other;
+  }
+  return {};
+}
+
+}  // namespace
+
+void add_draw_flags(CLI::App& app, DrawFlags& flags, SceneFlags& scene_flags) {
+  one_of(app.add_option("--engine", flags.engine,
+                        "Who draws: raster is fast, reference is slow and obvious; both give the same picture (default: raster)"),
+         {"raster", "reference"})
+      ->group("Drawing");
+  const auto target = std::find_if(scene_flags.flags.begin(), scene_flags.flags.end(), [](const auto& flag) { return flag.name == "--target"; });
+  target->option->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args(false);  // one of each kind
+  target->option->type_name("X,Y,Z|auto|scalar|sse4|avx2|avx512|neon|wasm");
+  target->option->description(target->option->get_description() +
+                              "; or the processor's instructions to draw with, which do not change the picture (default: auto, the widest "
+                              "that there are, or what the environment's LUSTRO_TARGET says)");
+  flags.target = target->option;
+  scene_flags.has_two_targets = true;
+}
+
+Result<RenderOptions> render_options(const Session& session, const DrawFlags& flags) {
+  RenderOptions options{.threads = session.threads, .aovs = {}};
+  options.engine = flags.engine == "reference" ? Engine::reference : Engine::raster;
+  const Result<NamedTarget> named = named_target(flags);
+  if (!named) {
+    return tl::unexpected(named.error());
+  }
+  const Result<Target> target = parse_target(named->name);
+  if (!target) {
+    return fail(target.error().kind, named->place, target.error().message);
+  }
+  options.target = *target;
+  return options;
+}
+
+Result<std::vector<Aov>> parse_aov_flag(const std::string& list) {
+  if (list.empty()) {
+    return std::vector<Aov>{};
+  }
+  Result<std::vector<Aov>> aovs = parse_aovs(list);
+  return aovs ? std::move(aovs) : fail(aovs.error().kind, "--aov", aovs.error().message);
+}
+
+std::string aov_list() {
+  std::string names;
+  for (const std::string_view name : aov_names()) {
+    names += (names.empty() ? "" : ", ") + std::string(name) + (name == "light" ? ":N, light:*" : "");
+  }
+  return names;
+}
+
+Error placed(const Error& error, const std::string& scene_name, const SceneFlags& flags) {
+  if (error.kind == ErrorKind::usage && error.where.empty() && error.message.starts_with("light:")) {
+    return {error.kind, "--aov", error.message};
+  }
+  if (std::string flag = flag_of_key(error.where, flags); !flag.empty()) {
+    return {error.kind, std::move(flag), error.message};
+  }
+  return {error.kind, error.where.empty() ? scene_name : fmt::format("{}: {}", scene_name, error.where), error.message};
+}
+
+Result<void> check_not_empty(const std::string& scene_name, const Scene& scene, const Rendering& rendering) {
+  if (rendering.stats.pixels_covered > 0 || rendering.stats.triangles == 0) {
+    return {};
+  }
+  return fail(ErrorKind::empty, scene_name, fmt::format("nothing was drawn: {}", why_empty(scene, rendering.stats)));
+}
+
+Result<Rendering> draw_scene(const Session& session, const std::string& scene_name, const Scene& scene, const SceneFlags& flags,
+                             RenderOptions options, bool allow_empty) {
+  ProgressBar progress(session, "drawing");
+  options.progress = progress.callback();
+  Result<Rendering> rendering = render(scene, options);
+  progress.wipe();
+  std::string nothing;
+  if (!rendering) {
+    if (rendering.error().kind != ErrorKind::empty) {
+      return tl::unexpected(placed(rendering.error(), scene_name, flags));
+    }
+    nothing = fmt::format("nothing was drawn: {}", rendering.error().text());
+    rendering = empty_rendering(scene);
+  } else if (const Result<void> checked = check_not_empty(scene_name, scene, *rendering); !checked) {
+    nothing = checked.error().message;
+  }
+  if (!nothing.empty() && !allow_empty) {
+    return fail(ErrorKind::empty, scene_name, fmt::format("{} {}", nothing, kAllowEmptyHint));
+  }
+  if (!nothing.empty()) {
+    rendering->notes.push_back({scene_name, nothing});
+  }
+  return rendering;
+}
+
+}  // namespace lustro::app

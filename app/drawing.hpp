@@ -1,0 +1,46 @@
+// Drawing for a command: the flags that say who draws, and what every picture passes before it is used.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+#include <vector>
+
+#include "lustro/render.hpp"
+#include "report.hpp"
+#include "scene_flags.hpp"
+
+namespace lustro::app {
+
+/// `--engine` and `--target`, of every command that draws.
+struct DrawFlags {
+  std::string engine = "raster";
+  const CLI::Option* target = nullptr;
+};
+
+/// Adds the flags. `--target` is the camera's as well: `--target 0,1,0` is a point, `--target avx2` a target to draw with.
+void add_draw_flags(CLI::App& app, DrawFlags& flags, SceneFlags& scene_flags);
+
+/// What the flags ask for, with the session's threads.
+/// errors  usage for an unknown target, unsupported for one that this machine lacks; `where` is the flag, or the variable of the environment
+[[nodiscard]] Result<RenderOptions> render_options(const Session& session, const DrawFlags& flags);
+
+/// parse_aovs() of the flag `--aov`; empty for an empty list.
+/// errors  usage, `where` is the flag
+[[nodiscard]] Result<std::vector<Aov>> parse_aov_flag(const std::string& list);
+
+/// The names that `--aov` knows, for its help.
+[[nodiscard]] std::string aov_list();
+
+/// An error of drawing as the command's user knows its place: a flag where one was stated, else the scene and the key.
+[[nodiscard]] Error placed(const Error& error, const std::string& scene_name, const SceneFlags& flags);
+
+/// Whether the picture shows anything.
+/// errors  empty, with the reason
+[[nodiscard]] Result<void> check_not_empty(const std::string& scene_name, const Scene& scene, const Rendering& rendering);
+
+/// The scene drawn, with a progress bar where one may appear, and never an empty picture unless it is allowed: then a note says so.
+/// errors  as render(), placed(); empty
+[[nodiscard]] Result<Rendering> draw_scene(const Session& session, const std::string& scene_name, const Scene& scene, const SceneFlags& flags,
+                                           RenderOptions options, bool allow_empty);
+
+}  // namespace lustro::app
