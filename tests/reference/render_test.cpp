@@ -322,7 +322,8 @@ TEST(Render, ConstantIsTheDiffuseColourAlone) {
   scene.lights->push_back({.direction = {0, 0, -1}});
   scene.objects[0].material =
       Material{.diffuse = {{0.1F, 0.2F, 0.3F}}, .specular = {{1, 1, 1}}, .emission = {{1, 1, 1}}, .lighting = Lighting::constant};
-  const auto c = drawn(scene).color.at(3, 3);
+  const Rendering picture = drawn(scene);
+  const auto c = picture.color.at(3, 3);
   EXPECT_EQ((std::array{c[0], c[1], c[2]}), (std::array{0.1F, 0.2F, 0.3F}));
 }
 
@@ -333,7 +334,8 @@ TEST(Render, VertexColoursMultiplyAmbientAndDiffuse) {
   scene.ambient = {{1, 1, 1}};
   scene.lights->push_back({.direction = {0, 0, -1}});
   scene.objects[0].material = Material{.ambient = {{0.2F, 0.2F, 0.2F}}, .diffuse = {{0.6F, 0.6F, 0.6F}}};
-  const auto c = drawn(scene).color.at(3, 3);
+  const Rendering picture = drawn(scene);
+  const auto c = picture.color.at(3, 3);
   EXPECT_NEAR(c[0], 0.4F, 1e-6F);
   EXPECT_NEAR(c[1], 0.8F, 1e-6F);
   EXPECT_EQ(c[2], 0.0F);
