@@ -71,7 +71,7 @@ enum class Target : std::uint8_t { automatic, scalar, sse4, avx2, avx512, neon, 
 
 struct RenderOptions {
   int threads = 0;  ///< 0: one a core
-  std::vector<Aov> aovs;
+  std::vector<Aov> aovs{};
   std::function<void(double)> progress{};  ///< called with 0..1, from any thread, one call at a time
   Engine engine = Engine::raster;
   Target target = Target::automatic;  ///< of Engine::raster; automatic: the widest that the machine has

@@ -3,45 +3,217 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <mutex>
 #include <new>
 
+#include "parallel/parallel_for.hpp"
+#include "raster/bins.hpp"
+#include "raster/frame.hpp"
 #include "raster/target.hpp"
+#include "reference/aov.hpp"
 #include "reference/render.hpp"
+#include "reference/triangle.hpp"
 #include "scene/prepare.hpp"
 
 namespace lustro {
 
-struct Renderer::State {
-  MeshCache meshes;
-};
-
 namespace {
 
-double milliseconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+/// What stays from one picture to the next.
+struct Workshop {
+  MeshCache meshes;
+  Frame frame;
+  std::vector<std::unique_ptr<TileScratch>> scratches;  // one a thread
+};
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds(Clock::duration duration) {
+  return std::chrono::duration<double, std::milli>(duration).count();
 }
 
-Result<void> draw(const Scene& scene, const RenderOptions& options, MeshCache& meshes, Rendering& result) {
-  const auto begin = std::chrono::steady_clock::now();
-  if (auto target = choose_target(options.target); !target) {
+/// Calls progress with the share of tiles that are done, one call at a time.
+class Progress {
+ public:
+  Progress(const std::function<void(double)>& report, std::size_t total) : report_(report), total_(total) {}
+  void step() {
+    if (report_) {
+      const std::lock_guard lock(mutex_);
+      report_(static_cast<double>(++done_) / static_cast<double>(total_));
+    }
+  }
+
+ private:
+  const std::function<void(double)>& report_;
+  std::size_t total_;
+  std::size_t done_ = 0;
+  std::mutex mutex_;
+};
+
+/// Hands out a scratch to whoever draws a tile.
+class ScratchPool {
+ public:
+  ScratchPool(std::vector<std::unique_ptr<TileScratch>>& scratches, const Frame& frame) : scratches_(scratches), frame_(frame) {}
+  TileScratch* take() {
+    const std::lock_guard lock(mutex_);
+    if (free_.empty() && used_ == scratches_.size()) {
+      scratches_.push_back(std::make_unique<TileScratch>());
+    }
+    if (free_.empty()) {
+      TileScratch* fresh = scratches_[used_++].get();
+      fresh->fit(frame_);
+      return fresh;
+    }
+    TileScratch* scratch = free_.back();
+    free_.pop_back();
+    return scratch;
+  }
+  void give_back(TileScratch* scratch) {
+    const std::lock_guard lock(mutex_);
+    free_.push_back(scratch);
+  }
+  [[nodiscard]] std::span<const std::unique_ptr<TileScratch>> used() const { return std::span(scratches_).first(used_); }
+
+ private:
+  std::vector<std::unique_ptr<TileScratch>>& scratches_;
+  const Frame& frame_;
+  std::vector<TileScratch*> free_;
+  std::size_t used_ = 0;
+  std::mutex mutex_;
+};
+
+void store_layers(const Frame& frame, Pixel& pixel, std::vector<Vec3f>& light_parts, int x, int y) {
+  pixel.light_parts.swap(light_parts);
+  for (std::size_t i = 0; i < frame.aovs.size(); ++i) {
+    store_aov(frame.aovs[i], *frame.scene, pixel, frame.layers[i].image.at(x, y));
+  }
+  pixel.light_parts.swap(light_parts);
+}
+
+/// An image of this size, whose memory is used again.
+template <class AnyImage>
+void resize(AnyImage& image, const View& view, int channels) {
+  image.width = view.width;
+  image.height = view.height;
+  image.channels = channels;
+  image.pixels.resize(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height) * static_cast<std::size_t>(channels));
+}
+
+/// The picture's tiles and where its pixels go.
+void lay_out(Frame& frame, const PreparedScene& scene, std::span<const Aov> aovs, const RenderOptions& options, Rendering& result) {
+  const View& view = scene.view;
+  frame.scene = &scene;
+  frame.tile_width = 64;
+  frame.tile_height = view.samples <= 2 ? 64 : (view.samples <= 8 ? 32 : 16);  // samples of a tile stay in the cache
+  frame.tiles_x = (view.width + frame.tile_width - 1) / frame.tile_width;
+  frame.tiles_y = (view.height + frame.tile_height - 1) / frame.tile_height;
+  frame.pattern = sample_pattern(view.samples);
+  frame.lowest = frame.highest = frame.pattern[0];
+  for (const SampleOffset& offset : frame.pattern) {
+    frame.lowest = {std::min(frame.lowest.x, offset.x), std::min(frame.lowest.y, offset.y)};
+    frame.highest = {std::max(frame.highest.x, offset.x), std::max(frame.highest.y, offset.y)};
+  }
+  frame.farthest = depth_key_of(view, view.depth_far);
+  frame.material_instance.assign(scene.materials.size(), 0);
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const std::size_t end = i + 1 < scene.instances.size() ? scene.instances[i + 1].first_material : scene.materials.size();
+    std::fill(frame.material_instance.begin() + scene.instances[i].first_material,
+              frame.material_instance.begin() + static_cast<std::ptrdiff_t>(end), i);
+  }
+  frame.aovs = aovs;
+  frame.wants_all = !aovs.empty();
+  frame.wants_lights = std::any_of(aovs.begin(), aovs.end(), [](const Aov& aov) { return aov.kind == AovKind::light; });
+  frame.layers = result.layers;
+  frame.store_layers = store_layers;
+  frame.color = options.store_color ? result.color.pixels.data() : nullptr;
+  frame.bytes = options.store_bytes ? result.bytes.pixels.data() : nullptr;
+  frame.srgb = scene.transfer == Transfer::srgb ? &srgb_table() : nullptr;
+}
+
+Result<void> draw_tiles(Frame& frame, std::vector<std::unique_ptr<TileScratch>>& scratches, const Kernels& kernels, const RenderOptions& options,
+                        Rendering& result) {
+  const auto begin = Clock::now();
+  const std::size_t tiles = static_cast<std::size_t>(frame.tiles_x) * static_cast<std::size_t>(frame.tiles_y);
+  Progress progress(options.progress, tiles);
+  ScratchPool pool(scratches, frame);
+  parallel_for(tiles, options.threads, [&](std::size_t tile) {
+    TileScratch* scratch = pool.take();
+    const auto start = Clock::now();
+    kernels.fill_tile(frame, tile, *scratch);
+    const auto filled = Clock::now();
+    kernels.shade_tile(frame, tile, *scratch);
+    scratch->visibility_seconds += milliseconds(filled - start);
+    scratch->shading_seconds += milliseconds(Clock::now() - filled);
+    pool.give_back(scratch);
+    progress.step();
+  });
+  double visibility = 0;
+  double shading = 0;
+  for (const auto& scratch : pool.used()) {
+    visibility += scratch->visibility_seconds;
+    shading += scratch->shading_seconds;
+    result.stats.pixels_covered += scratch->pixels_covered;
+  }
+  const double share = milliseconds(Clock::now() - begin) / std::max(visibility + shading, 1e-9);
+  result.times.visibility = visibility * share;
+  result.times.shading = shading * share;
+  return {};
+}
+
+Result<void> draw(const Scene& scene, const RenderOptions& options, Workshop& workshop, Rendering& result) {
+  const auto begin = Clock::now();
+  const auto target = choose_target(options.target);  // raster/target.cpp
+  if (!target) {
     return tl::unexpected(target.error());
   }
-  const auto prepared = prepare(scene, meshes, options.threads);  // scene/prepare.cpp
+  const auto prepared = prepare(scene, workshop.meshes, options.threads);  // scene/prepare.cpp
   if (!prepared) {
     return tl::unexpected(prepared.error());
   }
+  const auto aovs = unfold_aovs(options.aovs, *prepared);  // reference/aov.cpp
+  if (!aovs) {
+    return tl::unexpected(aovs.error());
+  }
   result.notes = prepared->notes;
   result.times = {};
-  result.times.prepare = milliseconds_since(begin);
-  if (auto drawn = render_reference(*prepared, options, result); !drawn) {
+  result.times.prepare = milliseconds(Clock::now() - begin);
+  if (options.engine == Engine::reference) {
+    if (auto drawn = render_reference(*prepared, options, result); !drawn) {
+      return drawn;
+    }
+    result.times.total = milliseconds(Clock::now() - begin);
+    return {};
+  }
+  result.stats = {.triangles = prepared->triangle_count};
+  result.layers.clear();
+  for (const Aov& aov : *aovs) {
+    result.layers.push_back(make_layer(aov, *prepared));
+  }
+  if (options.store_color) {
+    resize(result.color, prepared->view, 4);
+  }
+  if (options.store_bytes) {
+    resize(result.bytes, prepared->view, 4);
+  }
+  lay_out(workshop.frame, *prepared, *aovs, options, result);
+  const auto laid_out = Clock::now();
+  sort_into_tiles(workshop.frame, options.threads);  // raster/bins.cpp
+  result.times.cull = milliseconds(Clock::now() - laid_out);
+  if (auto drawn = draw_tiles(workshop.frame, workshop.scratches, kernels_of(*target), options, result); !drawn) {  // raster/row.cpp
     return drawn;
   }
-  result.times.total = milliseconds_since(begin);
+  if (result.stats.pixels_covered == 0) {
+    result.stats.triangles_seen = setup_triangles(*prepared, options.threads).size();
+  }
+  result.times.total = milliseconds(Clock::now() - begin);
   return {};
 }
 
 }  // namespace
+
+struct Renderer::State : Workshop {};
 
 Renderer::Renderer() : state_(std::make_unique<State>()) {}
 Renderer::Renderer(Renderer&&) noexcept = default;
@@ -50,7 +222,7 @@ Renderer::~Renderer() = default;
 
 Result<void> Renderer::render(const Scene& scene, const RenderOptions& options, Rendering& result) {
   try {
-    return draw(scene, options, state_->meshes, result);
+    return draw(scene, options, *state_, result);
   } catch (const std::bad_alloc&) {
     return fail(ErrorKind::limit, "", fmt::format("not enough memory to draw {} x {} pixels", scene.image.width, scene.image.height));
   }

@@ -8,6 +8,14 @@
 #include <vector>
 
 namespace lustro {
+
+const Kernels& kernels_scalar();
+const Kernels& kernels_sse4();
+const Kernels& kernels_avx2();
+const Kernels& kernels_avx512();
+const Kernels& kernels_neon();
+const Kernels& kernels_wasm();
+
 namespace {
 
 constexpr std::array<std::string_view, 7> kNames{"auto", "scalar", "sse4", "avx2", "avx512", "neon", "wasm"};
@@ -20,33 +28,48 @@ std::string known_names(std::span<const Target> targets) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-bool machine_has(Target target) {
-#if defined(__x86_64__)
-  switch (target) {
-    case Target::sse4:
-      return __builtin_cpu_supports("sse4.2") != 0;
-    case Target::avx2:
-      return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("bmi2") != 0;
-    case Target::avx512:
-      return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
-             __builtin_cpu_supports("avx512vl") != 0 && __builtin_cpu_supports("avx512cd") != 0 && __builtin_cpu_supports("bmi2") != 0;
-    default:
-      return target == Target::scalar;
-  }
-#elif defined(__aarch64__)
-  return target == Target::neon || target == Target::scalar;
-#elif defined(__wasm_simd128__)
-  return target == Target::wasm || target == Target::scalar;
-#else
-  return target == Target::scalar;
+// A row that this build has, and whether this machine can run it.
+struct Row {
+  Target target;
+  const Kernels& (*kernels)();
+  bool (*can_run)();
+};
+
+constexpr auto kAlways = [] { return true; };
+
+// The widest first.
+constexpr std::array kRows{
+#ifdef LUSTRO_HAS_AVX512
+    Row{Target::avx512, kernels_avx512,
+        [] {
+          return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
+                 __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("bmi2");
+        }},
 #endif
-}
+#ifdef LUSTRO_HAS_AVX2
+    Row{Target::avx2, kernels_avx2,
+        [] {
+          return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") &&
+                 __builtin_cpu_supports("fma");
+        }},
+#endif
+#ifdef LUSTRO_HAS_SSE4
+    Row{Target::sse4, kernels_sse4, [] { return __builtin_cpu_supports("sse4.2") != 0; }},
+#endif
+#ifdef LUSTRO_HAS_NEON
+    Row{Target::neon, kernels_neon, kAlways},
+#endif
+#ifdef LUSTRO_HAS_WASM
+    Row{Target::wasm, kernels_wasm, kAlways},
+#endif
+    Row{Target::scalar, kernels_scalar, kAlways},
+};
 
 std::vector<Target> find_targets() {
   std::vector<Target> targets;
-  for (const Target target : {Target::avx512, Target::avx2, Target::sse4, Target::neon, Target::wasm, Target::scalar}) {
-    if (machine_has(target)) {
-      targets.push_back(target);
+  for (const Row& row : kRows) {
+    if (row.can_run()) {
+      targets.push_back(row.target);
     }
   }
   return targets;
@@ -73,6 +96,10 @@ Result<Target> choose_target(Target wanted) {
                 fmt::format("this machine cannot run the target {}; it can run {}", target_name(wanted), known_names(available)));
   }
   return wanted;
+}
+
+const Kernels& kernels_of(Target target) {
+  return std::find_if(kRows.begin(), kRows.end(), [target](const Row& row) { return row.target == target; })->kernels();
 }
 
 Result<Target> parse_target(std::string_view name) {

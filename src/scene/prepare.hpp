@@ -20,9 +20,10 @@ namespace lustro {
 /// Three rows of four: a point's affine transform in float, summed in the order ((x + y) + z) + translation.
 struct AffineRows {
   std::array<float, 12> m{};
-  [[nodiscard]] Vec3f operator()(const Vec3f& p) const {
-    return {((m[0] * p.x + m[1] * p.y) + m[2] * p.z) + m[3], ((m[4] * p.x + m[5] * p.y) + m[6] * p.z) + m[7],
-            ((m[8] * p.x + m[9] * p.y) + m[10] * p.z) + m[11]};
+  template <class F>
+  [[nodiscard]] Vec3<F> operator()(const Vec3<F>& p) const {
+    const auto row = [&](std::size_t i) { return ((F(m[i]) * p.x + F(m[i + 1]) * p.y) + F(m[i + 2]) * p.z) + F(m[i + 3]); };
+    return {row(0), row(4), row(8)};
   }
 };
 

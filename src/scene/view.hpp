@@ -8,6 +8,7 @@
 #include "lustro/mesh.hpp"
 #include "lustro/result.hpp"
 #include "lustro/scene.hpp"
+#include "math/lane.hpp"
 
 namespace lustro {
 
@@ -28,24 +29,36 @@ struct View {
   float depth_near = 0, depth_far = 0;
 
   /// The eye-relative point that image position (x, y) shows at `depth` along the view direction.
-  [[nodiscard]] Vec3f point_at(float x, float y, float depth) const {
-    const Vec3f across = ray_dx * (x - center_x) + ray_dy * (y - center_y);
-    return projection == Projection::perspective ? (ray_center + across) * depth : across + ray_center * depth;
+  template <class F>
+  [[nodiscard]] Vec3<F> point_at(const F& x, const F& y, const F& depth) const {
+    const Vec3<F> across = across_at(x, y);
+    return projection == Projection::perspective ? (vec_cast<F>(ray_center) + across) * depth : across + vec_cast<F>(ray_center) * depth;
   }
   /// V at image position (x, y): unit, towards the eye.
-  [[nodiscard]] Vec3f to_eye_at(float x, float y) const {
+  template <class F>
+  [[nodiscard]] Vec3<F> to_eye_at(const F& x, const F& y) const {
     if (projection == Projection::orthographic) {
-      return -ray_center;
+      return vec_cast<F>(-ray_center);
     }
-    return -normalize(ray_center + (ray_dx * (x - center_x) + ray_dy * (y - center_y)));
+    return -normalize(vec_cast<F>(ray_center) + across_at(x, y));
   }
   /// V at an eye-relative point that is not on a pixel's ray (a vertex, a face's centre).
-  [[nodiscard]] Vec3f to_eye_from(const Vec3f& position) const {
+  template <class F>
+  [[nodiscard]] Vec3<F> to_eye_from(const Vec3<F>& position) const {
+    const Vec3<F> backward = vec_cast<F>(-ray_center);
     if (projection == Projection::orthographic) {
-      return -ray_center;
+      return backward;
     }
-    const float distance2 = dot(position, position);
-    return distance2 > 0 ? -position * (1.0F / std::sqrt(distance2)) : -ray_center;
+    const F distance2 = dot(position, position);
+    const auto is_away = distance2 > F(0);
+    const Vec3<F> to_eye = -position * (F(1) / square_root(select(is_away, distance2, F(1))));
+    return {select(is_away, to_eye.x, backward.x), select(is_away, to_eye.y, backward.y), select(is_away, to_eye.z, backward.z)};
+  }
+
+ private:
+  template <class F>
+  [[nodiscard]] Vec3<F> across_at(const F& x, const F& y) const {
+    return vec_cast<F>(ray_dx) * (x - F(center_x)) + vec_cast<F>(ray_dy) * (y - F(center_y));
   }
 };
 

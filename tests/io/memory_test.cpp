@@ -9,6 +9,13 @@
 #include "io/stl.hpp"
 #include "io_testing.hpp"
 
+#if defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define LUSTRO_HOOKS_ARE_TAKEN  // the thread sanitizer brings its own
+#endif
+#endif
+#ifndef LUSTRO_HOOKS_ARE_TAKEN
+
 namespace {
 std::atomic<std::size_t> allocated_bytes{0};
 }  // namespace
@@ -75,3 +82,5 @@ TEST(Memory, AParserTakesAFewTimesTheBytesOfItsFile) {
 
 }  // namespace
 }  // namespace lustro
+
+#endif  // LUSTRO_HOOKS_ARE_TAKEN

@@ -1,0 +1,42 @@
+# The rows of kernels: src/raster/row.cpp once for each instruction set of this processor family, with Highway's vectors fixed to it.
+#
+# A row's object may not leak inline functions to the rest of the program, or a machine without its instructions could run them:
+# scripts/check_rows looks for that.
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(HWY REQUIRED libhwy)
+
+set(lustro_row_flags_scalar -DHWY_COMPILE_ONLY_EMU128)
+set(lustro_row_flags_sse4 -msse4.2 -mpclmul -maes)
+set(lustro_row_flags_avx2 -mavx2 -mbmi -mbmi2 -mfma -mf16c -mlzcnt -mpclmul -maes)
+set(lustro_row_flags_avx512 ${lustro_row_flags_avx2} -mavx512f -mavx512cd -mavx512bw -mavx512dq -mavx512vl -mprefer-vector-width=512)
+set(lustro_row_flags_neon "")
+set(lustro_row_flags_wasm -msimd128)
+
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+  set(lustro_rows scalar sse4 avx2 avx512)
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")
+  set(lustro_rows scalar neon)
+elseif(EMSCRIPTEN)
+  set(lustro_rows scalar wasm)
+else()
+  set(lustro_rows scalar)
+endif()
+
+foreach(row IN LISTS lustro_rows)
+  set(library lustro_row_${row})
+  add_library(${library} OBJECT src/raster/row.cpp)
+  lustro_flags(${library})
+  target_include_directories(${library} PRIVATE include src)
+  target_include_directories(${library} SYSTEM PRIVATE ${HWY_INCLUDE_DIRS})
+  target_link_libraries(${library} PRIVATE lustro_public_dependencies)
+  target_compile_definitions(${library} PRIVATE LUSTRO_ROW=${row})
+  target_compile_options(${library} PRIVATE ${lustro_row_flags_${row}})
+  target_compile_options(${library} PRIVATE $<$<NOT:$<CONFIG:Release,RelWithDebInfo,MinSizeRel>>:-O2>) # what is not inlined would leak
+  if(NOT row STREQUAL scalar)
+    target_compile_definitions(${library} PRIVATE HWY_COMPILE_ONLY_STATIC)
+  endif()
+  set_target_properties(${library} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_sources(lustro PRIVATE $<TARGET_OBJECTS:${library}>)
+  string(TOUPPER ${row} upper)
+  set_property(SOURCE src/raster/target.cpp APPEND PROPERTY COMPILE_DEFINITIONS LUSTRO_HAS_${upper})
+endforeach()

@@ -1,0 +1,192 @@
+// Culling by bounding boxes: the box's image coordinates as intervals, a little wider than what rounding can move a vertex.
+#include "raster/bins.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "parallel/parallel_for.hpp"
+
+namespace lustro {
+namespace {
+
+constexpr std::size_t kStretch = 512;  // clusters that one job looks at
+
+struct Interval {
+  float low, high;
+};
+
+/// One row of an affine transform over a box; `slack` bounds what rounding adds.
+Interval transform(const float* row, const Vec3f& center, const Vec3f& extent) {
+  const float middle = ((row[0] * center.x + row[1] * center.y) + row[2] * center.z) + row[3];
+  const float reach = (std::abs(row[0]) * extent.x + std::abs(row[1]) * extent.y) + std::abs(row[2]) * extent.z;
+  const float size = ((std::abs(row[0] * center.x) + std::abs(row[1] * center.y)) + std::abs(row[2] * center.z)) + std::abs(row[3]);
+  const float slack = 1e-6F * (size + reach);
+  return {middle - (reach + slack), middle + (reach + slack)};
+}
+
+/// What a cluster is to the picture.
+struct Sight {
+  enum class Kind : std::uint8_t { hidden, whole, loose } kind = Kind::hidden;
+  std::uint16_t left = 0, top = 0, right = 0, bottom = 0;  // tiles, bounds included
+  float nearest = 0;
+};
+
+Sight look_at(const Frame& frame, const Instance& instance, const Cluster& cluster) {
+  const View& view = frame.scene->view;
+  const Vec3f center = (cluster.lower + cluster.upper) * 0.5F;
+  const Vec3f extent = (cluster.upper - cluster.lower) * 0.5F;
+  const float* m = instance.image_from_object.m.data();
+  const Interval x = transform(m, center, extent);
+  const Interval y = transform(m + 4, center, extent);
+  const Interval depth = transform(m + 8, center, extent);
+  if (depth.high < view.depth_near || depth.low > view.depth_far) {
+    return {};
+  }
+  const bool is_perspective = view.projection == Projection::perspective;
+  // In pixels, from the image's centre.
+  constexpr float kGuardBand = 24000;  // a little less than the reference's
+  Sight sight;
+  sight.kind = Sight::Kind::loose;
+  Interval px{-kGuardBand, kGuardBand};
+  Interval py{-kGuardBand, kGuardBand};
+  if (depth.low > view.depth_near) {  // false for NaN
+    const float widest = is_perspective ? 1 / depth.low : 1;
+    const float narrowest = is_perspective ? 1 / depth.high : 1;
+    const auto project = [&](const Interval& v) {
+      return Interval{std::min(v.low * widest, v.low * narrowest), std::max(v.high * widest, v.high * narrowest)};
+    };
+    px = project(x);
+    py = project(y);
+    if (px.low > -kGuardBand && px.high < kGuardBand && py.low > -kGuardBand && py.high < kGuardBand) {
+      sight.kind = Sight::Kind::whole;
+    }
+    sight.nearest = is_perspective ? widest * 1.0001F : (view.depth_far - depth.low) / (view.depth_far - view.depth_near) * 1.0001F + 1e-6F;
+  }
+  const auto tile = [](float pixels, int size, int tiles) {
+    return static_cast<int>(std::clamp(std::floor(pixels / static_cast<float>(size)), 0.0F, static_cast<float>(tiles - 1)));
+  };
+  constexpr float kMargin = 1.5F;  // half a pixel for samples, and snapping
+  const float left = px.low + view.center_x - kMargin;
+  const float right = px.high + view.center_x + kMargin;
+  const float top = py.low + view.center_y - kMargin;
+  const float bottom = py.high + view.center_y + kMargin;
+  if (sight.kind == Sight::Kind::whole &&
+      (right < 0 || bottom < 0 || left > static_cast<float>(view.width) || top > static_cast<float>(view.height))) {
+    return {};
+  }
+  sight.left = static_cast<std::uint16_t>(tile(left, frame.tile_width, frame.tiles_x));
+  sight.right = static_cast<std::uint16_t>(tile(right, frame.tile_width, frame.tiles_x));
+  sight.top = static_cast<std::uint16_t>(tile(top, frame.tile_height, frame.tiles_y));
+  sight.bottom = static_cast<std::uint16_t>(tile(bottom, frame.tile_height, frame.tiles_y));
+  return sight;
+}
+
+/// Stretches of all instances' clusters.
+struct Job {
+  std::uint32_t instance;
+  std::uint32_t first, last;
+};
+
+std::vector<Job> make_jobs(const PreparedScene& scene) {
+  std::vector<Job> jobs;
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const auto count = static_cast<std::uint32_t>(scene.instances[i].drawable->clusters.clusters.size());
+    for (std::uint32_t first = 0; first < count; first += kStretch) {
+      jobs.push_back({i, first, std::min(count, first + static_cast<std::uint32_t>(kStretch))});
+    }
+  }
+  return jobs;
+}
+
+struct TileRange {
+  int left, top, right, bottom;
+};
+
+/// Counts, then fills. `range_of(i)` is where item i lies.
+template <class RangeOf>
+void make_lists(const Frame& frame, std::size_t count, RangeOf&& range_of, TileLists& lists) {
+  const auto tiles = static_cast<std::size_t>(frame.tiles_x) * static_cast<std::size_t>(frame.tiles_y);
+  lists.begin.assign(tiles + 1, 0);
+  const auto each_tile = [&](std::size_t i, auto&& visit) {
+    const TileRange range = range_of(i);
+    for (int y = range.top; y <= range.bottom; ++y) {
+      for (int x = range.left; x <= range.right; ++x) {
+        visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.tiles_x) + static_cast<std::size_t>(x));
+      }
+    }
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    each_tile(i, [&](std::size_t tile) { ++lists.begin[tile]; });
+  }
+  std::uint32_t sum = 0;
+  for (std::uint32_t& begin : lists.begin) {
+    const std::uint32_t size = begin;
+    begin = sum;
+    sum += size;
+  }
+  lists.entries.resize(sum);
+  for (std::size_t i = 0; i < count; ++i) {
+    each_tile(i, [&](std::size_t tile) { lists.entries[lists.begin[tile]++] = static_cast<std::uint32_t>(i); });
+  }
+  for (std::size_t tile = tiles; tile > 0; --tile) {  // filling moved every begin to its end
+    lists.begin[tile] = lists.begin[tile - 1];
+  }
+  lists.begin[0] = 0;
+}
+
+}  // namespace
+
+void sort_into_tiles(Frame& frame, int threads) {
+  const PreparedScene& scene = *frame.scene;
+  const std::vector<Job> jobs = make_jobs(scene);
+  struct Seen {
+    std::vector<VisibleCluster> clusters;
+    std::vector<Sight> sights;
+    std::vector<ScreenTriangle> loose;
+  };
+  std::vector<Seen> seen(jobs.size());
+  parallel_for(jobs.size(), threads, [&](std::size_t j) {
+    const Instance& instance = scene.instances[jobs[j].instance];
+    const Clusters& clusters = instance.drawable->clusters;
+    for (std::uint32_t c = jobs[j].first; c < jobs[j].last; ++c) {
+      const Cluster& cluster = clusters.clusters[c];
+      const Sight sight = look_at(frame, instance, cluster);
+      if (sight.kind == Sight::Kind::whole) {
+        seen[j].clusters.push_back({jobs[j].instance, c, sight.nearest});
+        seen[j].sights.push_back(sight);
+      } else if (sight.kind == Sight::Kind::loose) {
+        for (std::uint32_t t = 0; t < cluster.triangles; ++t) {
+          setup_triangle(scene, jobs[j].instance, clusters.triangle_at(cluster.first_triangle + t), seen[j].loose);
+        }
+      }
+    }
+  });
+  frame.clusters.clear();
+  frame.loose.clear();
+  std::vector<Sight> sights;
+  for (const Seen& part : seen) {
+    frame.clusters.insert(frame.clusters.end(), part.clusters.begin(), part.clusters.end());
+    sights.insert(sights.end(), part.sights.begin(), part.sights.end());
+    frame.loose.insert(frame.loose.end(), part.loose.begin(), part.loose.end());
+  }
+  make_lists(
+      frame, sights.size(),
+      [&](std::size_t i) {
+        return TileRange{sights[i].left, sights[i].top, sights[i].right, sights[i].bottom};
+      },
+      frame.cluster_lists);
+  make_lists(
+      frame, frame.loose.size(),
+      [&](std::size_t i) {
+        const ScreenTriangle& t = frame.loose[i];
+        const auto [low_x, high_x] = std::minmax({t.x[0], t.x[1], t.x[2]});
+        const auto [low_y, high_y] = std::minmax({t.y[0], t.y[1], t.y[2]});
+        const auto tile = [](std::int32_t units, int size, int tiles) { return std::clamp((units >> 8) / size, 0, tiles - 1); };
+        return TileRange{
+            tile(low_x - kSubpixelUnits, frame.tile_width, frame.tiles_x), tile(low_y - kSubpixelUnits, frame.tile_height, frame.tiles_y),
+            tile(high_x + kSubpixelUnits, frame.tile_width, frame.tiles_x), tile(high_y + kSubpixelUnits, frame.tile_height, frame.tiles_y)};
+      },
+      frame.loose_lists);
+}
+
+}  // namespace lustro

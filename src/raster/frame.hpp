@@ -1,0 +1,156 @@
+// What a picture is made of while it is drawn: what the stages hand on to each other. Plain data: the rows of kernels are compiled for other
+// instruction sets than the rest, so nothing here is more than numbers and pointers to them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "image/srgb.hpp"
+#include "lustro/render.hpp"
+#include "reference/pixel.hpp"
+#include "reference/triangle.hpp"
+#include "scene/prepare.hpp"
+#include "scene/samples.hpp"
+
+namespace lustro {
+
+/// A cluster that may be seen.
+struct VisibleCluster {
+  std::uint32_t instance = 0;
+  std::uint32_t cluster = 0;  ///< within its mesh
+  float nearest = 0;          ///< no vertex has a larger depth key
+};
+
+/// Pixels; the upper bounds are excluded.
+struct TileArea {
+  int left = 0, top = 0, right = 0, bottom = 0;
+};
+
+/// Lists of numbers, one a tile, one after the other.
+struct TileLists {
+  std::vector<std::uint32_t> begin;  ///< tiles + 1
+  std::vector<std::uint32_t> entries;
+
+  [[nodiscard]] std::span<const std::uint32_t> of(std::size_t tile) const {
+    return std::span(entries).subspan(begin[tile], begin[tile + 1] - begin[tile]);
+  }
+};
+
+/// A picture's geometry, sorted into tiles, and where its pixels go.
+struct Frame {
+  const PreparedScene* scene = nullptr;
+  int tile_width = 64, tile_height = 64;
+  int tiles_x = 0, tiles_y = 0;
+  std::span<const SampleOffset> pattern;
+  SampleOffset lowest{0, 0}, highest{0, 0};  ///< bounds of the pattern's offsets
+  float farthest = 0;                        ///< depth key of the far plane
+
+  std::vector<VisibleCluster> clusters;          ///< wholly between the near plane and the guard band's edges
+  std::vector<ScreenTriangle> loose;             ///< of all other clusters, clipped one by one
+  TileLists cluster_lists;                       ///< of entries of `clusters`, the nearest first
+  TileLists loose_lists;                         ///< of entries of `loose`
+  std::vector<std::uint32_t> material_instance;  ///< the instance that a material belongs to
+
+  std::span<const Aov> aovs;
+  bool wants_all = false;     ///< layers are stored: everything that a fragment knows
+  bool wants_lights = false;  ///< layers of single lights are
+  std::span<Layer> layers;
+  /// Puts a pixel into the layers; not a row's business.
+  void (*store_layers)(const Frame& frame, Pixel& pixel, std::vector<Vec3f>& light_parts, int x, int y) = nullptr;
+  float* color = nullptr;         ///< H x W x 4, or null
+  std::uint8_t* bytes = nullptr;  ///< H x W x 4, or null
+  const SrgbTable* srgb = nullptr;
+
+  [[nodiscard]] TileArea area(std::size_t tile) const {
+    const int x = static_cast<int>(tile) % tiles_x * tile_width;
+    const int y = static_cast<int>(tile) / tiles_x * tile_height;
+    const int right = x + tile_width;
+    const int bottom = y + tile_height;
+    return {x, y, right < scene->view.width ? right : scene->view.width, bottom < scene->view.height ? bottom : scene->view.height};
+  }
+};
+
+/// A triangle that won a sample of the tile: all that shading needs of it, one cache line.
+struct Record {
+  static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+  static constexpr std::uint32_t kSwapped = 1;  ///< as ScreenTriangle::is_swapped
+  static constexpr std::uint32_t kBack = 2;     ///< not ScreenTriangle::is_front
+  static constexpr std::uint32_t kClipped = 4;  ///< as ScreenTriangle::is_clipped; the number above kLooseShift is its place in Frame::loose
+  static constexpr std::uint32_t kSmall = 8;    ///< every edge function fits 32 bits
+  static constexpr std::uint32_t kLooseShift = 4;
+
+  std::array<std::int32_t, 3> x{}, y{};
+  float inverse_area = 0;
+  std::array<float, 3> key{};
+  std::array<std::uint32_t, 3> vertex{};  ///< in the mesh's order
+  std::uint32_t id = 0;
+  std::uint32_t material = 0;
+  std::uint32_t flags = 0;
+};
+static_assert(sizeof(Record) == 64);
+
+/// A thread's own memory, used again from tile to tile and from picture to picture.
+struct TileScratch {
+  static constexpr std::size_t kPadding = 16;      ///< lanes beyond a tile's right edge are written to, and never read
+  static constexpr std::size_t kFragments = 2048;  ///< that are shaded at a time
+
+  /// What shading makes of a fragment, by its place.
+  enum Output : std::size_t {
+    ambient = 0,
+    diffuse = 3,
+    specular = 6,
+    emission = 9,
+    fog = 12,
+    basic = 15,
+    scene_part = 15,
+    albedo = 18,
+    normal = 21,
+    position = 24,
+    weights = 27,
+    depth = 30,
+    outputs = 31
+  };
+
+  std::size_t stride = 0;             ///< floats a row
+  std::size_t plane = 0;              ///< floats a sample's plane
+  std::vector<float> depth_key;       ///< samples x tile_height x stride
+  std::vector<std::uint32_t> winner;  ///< an entry of `records`
+  std::vector<Record> records;
+  std::size_t record_count = 0;
+
+  // The vertices of the cluster at hand, on the image.
+  alignas(64) std::array<std::int32_t, Cluster::kMaxVertices + kPadding> x{}, y{};
+  alignas(64) std::array<float, Cluster::kMaxVertices + kPadding> key{};
+
+  // The fragments at hand. `order` sorts them by material, so that lanes share one.
+  alignas(64) std::array<std::uint32_t, kFragments + kPadding> fragment_record{}, fragment_order{};
+  alignas(64) std::array<std::int32_t, kFragments + kPadding> fragment_x{}, fragment_y{};  ///< where it is shaded, 1/256 pixel
+  std::array<std::uint8_t, kFragments + kPadding> fragment_samples{};                      ///< of its pixel that it covers
+  std::array<std::array<float, kFragments + kPadding>, outputs> output{};
+  std::vector<float> light_output;  ///< lights x 3 x (kFragments + kPadding), where layers of lights are stored
+  std::vector<std::uint32_t> class_begin;
+  std::vector<Vec3f> light_parts;
+
+  double visibility_seconds = 0;
+  double shading_seconds = 0;
+  std::uint64_t pixels_covered = 0;
+
+  /// Room for tiles of this frame. Allocates only where the last frame was smaller.
+  void fit(const Frame& frame);
+  /// At least one more record.
+  void grow_records();
+};
+
+/// One instruction set's kernels.
+struct Kernels {
+  /// Fills depth_key, winner and records from all that touches the tile.
+  void (*fill_tile)(const Frame& frame, std::size_t tile, TileScratch& scratch);
+  /// Shades what is seen and stores the tile's pixels.
+  void (*shade_tile)(const Frame& frame, std::size_t tile, TileScratch& scratch);
+};
+
+}  // namespace lustro

@@ -1,0 +1,393 @@
+// Filling a tile: clusters to vertices, vertices to triangles, triangles to the nearest one of every sample. Part of a row (row.cpp).
+//
+// Every number is the reference's (reference/triangle.cpp, reference/visibility.cpp), bit for bit: image coordinates are the same integers; an
+// edge function is an integer, here in 32 bits where a triangle spans less than 64 pixels and in the 53 bits of a double elsewhere; and a depth
+// key is a function of the triangle and the sample alone.
+#pragma once
+
+#include <bit>
+#include <cstring>
+
+#include "raster/frame.hpp"
+#include "simd/lanes.hpp"
+
+namespace lustro::HWY_NAMESPACE {
+
+/// Below this extent, 1/256 pixel, an edge function stays below 2^31 in a triangle's box and a vector's width around it.
+inline constexpr std::int32_t kSmallExtent = 64 * kSubpixelUnits;
+
+/// The tile that is being filled.
+struct Canvas {
+  const Frame& frame;
+  TileScratch& scratch;
+  TileArea area;
+
+  [[nodiscard]] std::size_t at(int x, int y) const {
+    return static_cast<std::size_t>(y - area.top) * scratch.stride + static_cast<std::size_t>(x - area.left);
+  }
+};
+
+/// Pixels that may have a sample inside a triangle's box; bounds included.
+struct PixelRange {
+  int left, top, right, bottom;
+};
+
+/// An equally near triangle is seen where it comes first in the scene. Rare, so lane by lane.
+inline HWY_NOINLINE bool settle_ties(TileScratch& s, Mask ties, std::size_t at, std::uint32_t record) {
+  alignas(64) std::array<std::uint32_t, kLanes> tied{};
+  store_where(ties, tied.data(), Int(1));
+  bool has_won = false;
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    if (tied[i] != 0 && s.records[record].id < s.records[s.winner[at + i]].id) {
+      s.winner[at + i] = record;
+      has_won = true;
+    }
+  }
+  return has_won;
+}
+
+/// Lanes of one row against what the samples show so far.
+HWY_INLINE bool merge(TileScratch& s, Mask inside, Float key, Float farthest, std::size_t at, std::uint32_t record) {
+  const Float old = load(&s.depth_key[at]);
+  const Mask is_near = inside & (key >= farthest);
+  const Mask wins = is_near & (key > old);
+  const Mask ties = is_near & (key == old);
+  bool has_won = false;
+  if (HWY_UNLIKELY(any_of(ties))) {
+    has_won = settle_ties(s, ties, at, record);
+  }
+  if (any_of(wins)) {
+    store_where(wins, &s.depth_key[at], key);
+    store_where(wins, &s.winner[at], Int(static_cast<std::int32_t>(record)));
+    has_won = true;
+  }
+  return has_won;
+}
+
+/// 0 on a top or left edge, whose points are inside, else -1.
+HWY_INLINE std::int32_t edge_bias(std::int32_t from_x, std::int32_t from_y, std::int32_t to_x, std::int32_t to_y) {
+  return to_y < from_y || (to_y == from_y && to_x > from_x) ? 0 : -1;
+}
+
+/// One triangle whose edge functions fit 32 bits.
+inline HWY_NOINLINE bool fill_small(const Canvas& c, const Record& t, std::uint32_t record, const PixelRange& range) {
+  TileScratch& s = c.scratch;
+  const Float key0(t.key[0]);
+  const Float slope1((t.key[1] - t.key[0]) * t.inverse_area);
+  const Float slope2((t.key[2] - t.key[0]) * t.inverse_area);
+  const Float farthest(c.frame.farthest);
+
+  // Edge i lies opposite corner i: e(p) = dx (py - y_from) - dy (px - x_from)
+  const auto dx0 = t.x[2] - t.x[1], dy0 = t.y[2] - t.y[1];
+  const auto dx1 = t.x[0] - t.x[2], dy1 = t.y[0] - t.y[2];
+  const auto dx2 = t.x[1] - t.x[0], dy2 = t.y[1] - t.y[0];
+  const Int bias0(edge_bias(t.x[1], t.y[1], t.x[2], t.y[2]));
+  const Int bias1(edge_bias(t.x[2], t.y[2], t.x[0], t.y[0]));
+  const Int bias2(edge_bias(t.x[0], t.y[0], t.x[1], t.y[1]));
+  const Int numbers = lane_numbers() * Int(kSubpixelUnits);
+  const Int across0 = numbers * Int(-dy0), across1 = numbers * Int(-dy1), across2 = numbers * Int(-dy2);
+  constexpr int kStep = static_cast<int>(kLanes) * kSubpixelUnits;
+
+  bool has_won = false;
+  for (std::size_t sample = 0; sample < c.frame.pattern.size(); ++sample) {
+    const std::int32_t px = range.left * kSubpixelUnits + kSubpixelUnits / 2 + c.frame.pattern[sample].x;
+    const std::int32_t py = range.top * kSubpixelUnits + kSubpixelUnits / 2 + c.frame.pattern[sample].y;
+    Int row0 = across0 + Int(dx0 * (py - t.y[1]) - dy0 * (px - t.x[1]));
+    Int row1 = across1 + Int(dx1 * (py - t.y[2]) - dy1 * (px - t.x[2]));
+    Int row2 = across2 + Int(dx2 * (py - t.y[0]) - dy2 * (px - t.x[0]));
+    std::size_t at = sample * s.plane + c.at(range.left, range.top);
+    for (int y = range.top; y <= range.bottom; ++y) {
+      Int e0 = row0;
+      Int e1 = row1;
+      Int e2 = row2;
+      std::size_t here = at;
+      for (int x = range.left;;) {
+        const Mask inside = !(((e0 + bias0) | (e1 + bias1) | (e2 + bias2)) < Int(0));
+        if (any_of(inside)) {
+          const Float key = (key0 + slope1 * to_float(e1)) + slope2 * to_float(e2);
+          has_won |= merge(s, inside, key, farthest, here, record);
+        }
+        x += static_cast<int>(kLanes);
+        if (x > range.right) {
+          break;
+        }
+        here += kLanes;
+        e0 = e0 - Int(dy0 * kStep);
+        e1 = e1 - Int(dy1 * kStep);
+        e2 = e2 - Int(dy2 * kStep);
+      }
+      at += s.stride;
+      row0 = row0 + Int(dx0 * kSubpixelUnits);
+      row1 = row1 + Int(dx1 * kSubpixelUnits);
+      row2 = row2 + Int(dx2 * kSubpixelUnits);
+    }
+  }
+  return has_won;
+}
+
+/// One triangle of any size: the same with whole numbers in doubles.
+inline HWY_NOINLINE bool fill_large(const Canvas& c, const Record& t, std::uint32_t record, const PixelRange& range) {
+  TileScratch& s = c.scratch;
+  const Float key0(t.key[0]);
+  const Float slope1((t.key[1] - t.key[0]) * t.inverse_area);
+  const Float slope2((t.key[2] - t.key[0]) * t.inverse_area);
+  const Float farthest(c.frame.farthest);
+  constexpr std::array<std::size_t, 3> kFrom{1, 2, 0};
+  constexpr std::array<std::size_t, 3> kTo{2, 0, 1};
+  std::array<double, 3> dx{}, dy{}, bias{};
+  std::array<Wide, 3> across;
+  const Wide numbers = widen(lane_numbers() * Int(kSubpixelUnits));
+  for (std::size_t i = 0; i < 3; ++i) {
+    dx[i] = static_cast<double>(t.x[kTo[i]]) - static_cast<double>(t.x[kFrom[i]]);
+    dy[i] = static_cast<double>(t.y[kTo[i]]) - static_cast<double>(t.y[kFrom[i]]);
+    bias[i] = edge_bias(t.x[kFrom[i]], t.y[kFrom[i]], t.x[kTo[i]], t.y[kTo[i]]);
+    across[i] = numbers * wide(-dy[i]);
+  }
+  bool has_won = false;
+  for (std::size_t sample = 0; sample < c.frame.pattern.size(); ++sample) {
+    const std::int32_t px = range.left * kSubpixelUnits + kSubpixelUnits / 2 + c.frame.pattern[sample].x;
+    const std::int32_t py = range.top * kSubpixelUnits + kSubpixelUnits / 2 + c.frame.pattern[sample].y;
+    const double width = static_cast<double>((range.right - range.left) * kSubpixelUnits);
+    const double height = static_cast<double>((range.bottom - range.top) * kSubpixelUnits);
+    std::array<double, 3> row{};
+    bool is_outside = false;
+    bool is_inside = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      row[i] = dx[i] * static_cast<double>(py - t.y[kFrom[i]]) - dy[i] * static_cast<double>(px - t.x[kFrom[i]]);
+      const double largest = row[i] + ((dx[i] > 0 ? dx[i] * height : 0) + (dy[i] < 0 ? -dy[i] * width : 0));
+      const double smallest = row[i] + ((dx[i] < 0 ? dx[i] * height : 0) + (dy[i] > 0 ? -dy[i] * width : 0));
+      is_outside = is_outside || largest + bias[i] < 0;
+      is_inside = is_inside && smallest + bias[i] >= 0;
+    }
+    if (is_outside) {
+      continue;
+    }
+    std::size_t at = sample * s.plane + c.at(range.left, range.top);
+    for (int y = range.top; y <= range.bottom; ++y, at += s.stride) {
+      std::size_t here = at;
+      std::array<double, 3> begin = row;
+      for (int x = range.left; x <= range.right; x += static_cast<int>(kLanes), here += kLanes) {
+        const Float e1 = narrow(across[1] + wide(begin[1]));
+        const Float e2 = narrow(across[2] + wide(begin[2]));
+        // Rounding keeps the sign of a whole number.
+        Mask inside = first_lanes(static_cast<std::size_t>(range.right - x + 1));
+        if (!is_inside) {
+          inside = inside & (narrow(across[0] + wide(begin[0] + bias[0])) >= Float(0)) &
+                   (narrow(across[1] + wide(begin[1] + bias[1])) >= Float(0)) & (narrow(across[2] + wide(begin[2] + bias[2])) >= Float(0));
+        }
+        if (any_of(inside)) {
+          const Float key = (key0 + slope1 * e1) + slope2 * e2;
+          has_won |= merge(s, inside, key, farthest, here, record);
+        }
+        for (std::size_t i = 0; i < 3; ++i) {
+          begin[i] -= dy[i] * static_cast<double>(static_cast<int>(kLanes) * kSubpixelUnits);
+        }
+      }
+      for (std::size_t i = 0; i < 3; ++i) {
+        row[i] += dx[i] * kSubpixelUnits;
+      }
+    }
+  }
+  return has_won;
+}
+
+/// Turns a triangle round so that its area is positive; false where it has none.
+inline bool orient(Record& t, bool is_mirrored) {
+  const std::int64_t area2 = edge_function(t.x[0], t.y[0], t.x[1], t.y[1], t.x[2], t.y[2]);
+  t.flags = (area2 < 0) == is_mirrored ? Record::kBack : 0U;
+  if (area2 < 0) {
+    const auto swap = [](auto& corners) {
+      const auto first = corners[1];
+      corners[1] = corners[2];
+      corners[2] = first;
+    };
+    swap(t.x);
+    swap(t.y);
+    swap(t.key);
+    t.flags |= Record::kSwapped;
+  }
+  t.inverse_area = 1.0F / static_cast<float>(area2 < 0 ? -area2 : area2);
+  return area2 != 0;
+}
+
+/// The next record to be filled in; it is kept by counting it.
+HWY_INLINE Record& next_record(TileScratch& s) {
+  if (HWY_UNLIKELY(s.record_count == s.records.size())) {
+    s.grow_records();
+  }
+  return s.records[s.record_count];
+}
+
+/// The cluster's vertices on the image (reference/triangle.cpp: project()).
+HWY_INLINE void project_vertices(const Frame& frame, TileScratch& s, const Instance& instance, const Cluster& cluster) {
+  const View& view = frame.scene->view;
+  const std::uint32_t* vertices = instance.drawable->clusters.vertices.data() + cluster.first_vertex;
+  const Vec3f* positions = instance.mesh->positions.data();
+  const bool is_perspective = view.projection == Projection::perspective;
+  const Float depth_range(view.depth_far - view.depth_near);
+  for (std::size_t i = 0; i < cluster.vertices; i += kLanes) {
+    const Vec3<Float> p = instance.image_from_object(gather(positions, load(vertices + i)));
+    const Float inverse = Float(1) / p.z;
+    const Float scale = is_perspective ? inverse : Float(1);
+    const auto snap = [](Float pixels) { return truncate(floor_of(pixels * Float(kSubpixelUnits) + Float(0.5F))); };
+    store(&s.x[i], snap(p.x * scale + Float(view.center_x)));
+    store(&s.y[i], snap(p.y * scale + Float(view.center_y)));
+    store(&s.key[i], is_perspective ? inverse : (Float(view.depth_far) - p.z) / depth_range);
+  }
+}
+
+/// The cluster's triangles, kLanes at a time: those that cannot hold a sample are dropped, the others are filled one by one.
+HWY_INLINE void fill_triangles(const Canvas& c, const Instance& instance, const Cluster& cluster) {
+  TileScratch& s = c.scratch;
+  const Frame& frame = c.frame;
+  const Clusters& clusters = instance.drawable->clusters;
+  const std::uint32_t* corners = clusters.corners.data() + cluster.first_triangle;
+  alignas(64) std::array<std::array<std::int32_t, kLanes>, 3> x, y, local;
+  alignas(64) std::array<std::array<float, kLanes>, 3> key;
+  alignas(64) std::array<float, kLanes> inverse_area;
+  alignas(64) std::array<std::int32_t, kLanes> left, top, right, bottom, flags;
+
+  for (std::size_t begin = 0; begin < cluster.triangles; begin += kLanes) {
+    const Int packed = load(corners + begin);
+    const Int i0 = packed & Int(0xFF);
+    const Int i1 = (packed >> 8) & Int(0xFF);
+    const Int i2 = (packed >> 16) & Int(0xFF);
+    const Int x0 = gather(s.x.data(), i0), x1 = gather(s.x.data(), i1), x2 = gather(s.x.data(), i2);
+    const Int y0 = gather(s.y.data(), i0), y1 = gather(s.y.data(), i1), y2 = gather(s.y.data(), i2);
+    const Int lowest_x = lane_min(lane_min(x0, x1), x2), highest_x = lane_max(lane_max(x0, x1), x2);
+    const Int lowest_y = lane_min(lane_min(y0, y1), y2), highest_y = lane_max(lane_max(y0, y1), y2);
+    constexpr std::int32_t kCenter = kSubpixelUnits / 2;
+    const Int first_x = lane_max((lowest_x + Int(kSubpixelUnits - 1 - kCenter - frame.highest.x)) >> 8, Int(c.area.left));
+    const Int first_y = lane_max((lowest_y + Int(kSubpixelUnits - 1 - kCenter - frame.highest.y)) >> 8, Int(c.area.top));
+    const Int last_x = lane_min((highest_x - Int(kCenter + frame.lowest.x)) >> 8, Int(c.area.right - 1));
+    const Int last_y = lane_min((highest_y - Int(kCenter + frame.lowest.y)) >> 8, Int(c.area.bottom - 1));
+    const Mask is_small = lane_max(highest_x - lowest_x, highest_y - lowest_y) < Int(kSmallExtent);
+    const Int area2 = (x1 - x0) * (y2 - y0) - (y1 - y0) * (x2 - x0);  // of the small ones
+    Mask stays = first_lanes(cluster.triangles - begin) & !(first_x > last_x) & !(first_y > last_y) & !(is_small & (area2 == Int(0)));
+    if (!any_of(stays)) {
+      continue;
+    }
+    const Mask is_swapped = area2 < Int(0);
+    store(x[0].data(), x0);
+    store(x[1].data(), select(is_swapped, x2, x1));
+    store(x[2].data(), select(is_swapped, x1, x2));
+    store(y[0].data(), y0);
+    store(y[1].data(), select(is_swapped, y2, y1));
+    store(y[2].data(), select(is_swapped, y1, y2));
+    const Float key1 = gather(s.key.data(), i1), key2 = gather(s.key.data(), i2);
+    store(key[0].data(), gather(s.key.data(), i0));
+    store(key[1].data(), select(is_swapped, key2, key1));
+    store(key[2].data(), select(is_swapped, key1, key2));
+    store(inverse_area.data(), Float(1) / to_float(select(is_swapped, Int(0) - area2, area2)));
+    store(left.data(), first_x);
+    store(top.data(), first_y);
+    store(right.data(), last_x);
+    store(bottom.data(), last_y);
+    store(local[0].data(), i0);
+    store(local[1].data(), i1);
+    store(local[2].data(), i2);
+    const Int swapped_flag = select(is_swapped, Int(Record::kSwapped), Int(0));
+    // Counter-clockwise with y up is a negative area with y down.
+    const Int back_flag = select(is_swapped, Int(instance.is_mirrored ? Record::kBack : 0), Int(instance.is_mirrored ? 0 : Record::kBack));
+    store(flags.data(), (swapped_flag | back_flag) | select(is_small, Int(Record::kSmall), Int(0)));
+
+    alignas(64) std::array<std::uint32_t, kLanes> chosen{};
+    store_where(stays, chosen.data(), Int(1));
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      if (chosen[i] == 0) {
+        continue;
+      }
+      Record& t = next_record(s);
+      for (std::size_t k = 0; k < 3; ++k) {
+        t.x[k] = x[k][i];
+        t.y[k] = y[k][i];
+        t.key[k] = key[k][i];
+      }
+      t.inverse_area = inverse_area[i];
+      t.flags = static_cast<std::uint32_t>(flags[i]);
+      const auto in_mesh =
+          clusters.triangles.empty() ? cluster.first_triangle + begin + i : clusters.triangles[cluster.first_triangle + begin + i];
+      t.id = instance.first_triangle + static_cast<std::uint32_t>(in_mesh);
+      if ((t.flags & Record::kSmall) == 0) {  // its area does not fit 32 bits: once more, from the vertices
+        for (std::size_t k = 1; k < 3; ++k) {
+          const auto vertex = static_cast<std::size_t>(local[k][i]);
+          t.x[k] = s.x[vertex];
+          t.y[k] = s.y[vertex];
+          t.key[k] = s.key[vertex];
+        }
+        if (!orient(t, instance.is_mirrored)) {
+          continue;
+        }
+      }
+      const auto record = static_cast<std::uint32_t>(s.record_count);
+      const PixelRange range{left[i], top[i], right[i], bottom[i]};
+      if ((t.flags & Record::kSmall) != 0 ? fill_small(c, t, record, range) : fill_large(c, t, record, range)) {
+        const std::uint32_t* vertices = clusters.vertices.data() + cluster.first_vertex;
+        for (std::size_t k = 0; k < 3; ++k) {
+          t.vertex[k] = vertices[local[k][i]];
+        }
+        t.material = instance.material_of(static_cast<std::uint32_t>(in_mesh));
+        ++s.record_count;
+      }
+    }
+  }
+}
+
+/// A triangle that was clipped or lies near what clips.
+inline void fill_loose(const Canvas& c, std::uint32_t index) {
+  const ScreenTriangle& t = c.frame.loose[index];
+  const Instance& instance = c.frame.scene->instances[t.instance];
+  Record& r = next_record(c.scratch);
+  const auto lowest = [](const std::array<std::int32_t, 3>& v) {
+    return v[0] < v[1] ? (v[0] < v[2] ? v[0] : v[2]) : (v[1] < v[2] ? v[1] : v[2]);
+  };
+  const auto highest = [](const std::array<std::int32_t, 3>& v) {
+    return v[0] > v[1] ? (v[0] > v[2] ? v[0] : v[2]) : (v[1] > v[2] ? v[1] : v[2]);
+  };
+  const auto limit = [](int value, int low, int high) { return value < low ? low : (value > high ? high : value); };
+  constexpr std::int32_t kCenter = kSubpixelUnits / 2;
+  const PixelRange range{limit((lowest(t.x) + (kSubpixelUnits - 1 - kCenter - c.frame.highest.x)) >> 8, c.area.left, c.area.right),
+                         limit((lowest(t.y) + (kSubpixelUnits - 1 - kCenter - c.frame.highest.y)) >> 8, c.area.top, c.area.bottom),
+                         limit((highest(t.x) - (kCenter + c.frame.lowest.x)) >> 8, c.area.left - 1, c.area.right - 1),
+                         limit((highest(t.y) - (kCenter + c.frame.lowest.y)) >> 8, c.area.top - 1, c.area.bottom - 1)};
+  if (range.left > range.right || range.top > range.bottom) {
+    return;
+  }
+  const std::uint32_t in_mesh = t.id - instance.first_triangle;
+  r.x = t.x;
+  r.y = t.y;
+  r.key = t.depth_key;
+  r.inverse_area = 1.0F / static_cast<float>(t.area2);
+  r.id = t.id;
+  r.vertex = instance.mesh->triangles[in_mesh];
+  r.material = instance.material_of(in_mesh);
+  r.flags = (t.is_swapped ? Record::kSwapped : 0U) | (t.is_front ? 0U : Record::kBack) |
+            (t.is_clipped ? Record::kClipped | index << Record::kLooseShift : 0U);
+  if (fill_large(c, r, static_cast<std::uint32_t>(c.scratch.record_count), range)) {
+    ++c.scratch.record_count;
+  }
+}
+
+inline void fill_tile(const Frame& frame, std::size_t tile, TileScratch& s) {
+  const Canvas c{frame, s, frame.area(tile)};
+  s.record_count = 0;
+  const std::size_t rows = static_cast<std::size_t>(c.area.bottom - c.area.top) * s.stride;
+  for (std::size_t sample = 0; sample < frame.pattern.size(); ++sample) {
+    for (std::size_t i = 0; i < rows; i += kLanes) {  // a key is never below 0
+      store(&s.depth_key[sample * s.plane + i], Float(-1));
+      store(&s.winner[sample * s.plane + i], Int(-1));
+    }
+  }
+  for (const std::uint32_t entry : frame.cluster_lists.of(tile)) {
+    const VisibleCluster& visible = frame.clusters[entry];
+    const Instance& instance = frame.scene->instances[visible.instance];
+    const Cluster& cluster = instance.drawable->clusters.clusters[visible.cluster];
+    project_vertices(frame, s, instance, cluster);
+    fill_triangles(c, instance, cluster);
+  }
+  for (const std::uint32_t entry : frame.loose_lists.of(tile)) {
+    fill_loose(c, entry);
+  }
+}
+
+}  // namespace lustro::HWY_NAMESPACE

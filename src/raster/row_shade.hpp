@@ -1,0 +1,332 @@
+// Shading a tile: the fragments that are seen, kLanes at a time, each once; then samples to pixels. Part of a row (row.cpp).
+//
+// The lanes of one batch show the same material, and so the same instance. What a lane calculates is what the reference calculates for that
+// fragment (reference/fragment.cpp), operation by operation.
+#pragma once
+
+#include "raster/frame.hpp"
+#include "shade/interpolation.hpp"
+#include "simd/lanes.hpp"
+
+namespace lustro::HWY_NAMESPACE {
+
+/// kLanes triangles of one instance and material.
+struct Faces {
+  const PreparedScene& scene;
+  const Instance& instance;
+  const ShadingMaterial& material;
+  std::array<Int, 3> vertices;
+  Float side;  // -1 where the back is seen and lit with its normals turned round
+
+  [[nodiscard]] Vec3<Float> position(std::size_t i) const {
+    return instance.relative_from_object(gather(instance.mesh->positions.data(), vertices[i]));
+  }
+  [[nodiscard]] Vec3<Float> stated_normal(std::size_t i) const { return gather(instance.mesh->normals.data(), vertices[i]); }
+  [[nodiscard]] Vec3<Float> normal(std::size_t i) const {
+    const Vec3<Float> n = instance.normal_from_object(stated_normal(i));
+    return (instance.is_similarity ? n : normalize(n)) * side;
+  }
+  [[nodiscard]] Vec3<Float> object_normal() const {
+    const Vec3<Float> a = gather(instance.mesh->positions.data(), vertices[0]);
+    const Vec3<Float> ab = gather(instance.mesh->positions.data(), vertices[1]) - a;
+    const Vec3<Float> ac = gather(instance.mesh->positions.data(), vertices[2]) - a;
+    Float size = lane_abs(ab.x);
+    for (const Float& part : {ab.y, ab.z, ac.x, ac.y, ac.z}) {
+      size = lane_max(lane_abs(part), size);
+    }
+    const Float scale = Float(1) / size;
+    return cross(ab * scale, ac * scale);
+  }
+  [[nodiscard]] Vec3<Float> face_normal() const { return normalize(instance.normal_from_object(object_normal())) * side; }
+
+  [[nodiscard]] Vec3<Float> normal_at(NormalInterpolation mode, const Weights<Float>& w) const {
+    const bool turns_once = instance.is_similarity;
+    const std::array<Vec3<Float>, 3> n = turns_once ? std::array<Vec3<Float>, 3>{stated_normal(0), stated_normal(1), stated_normal(2)}
+                                                    : std::array<Vec3<Float>, 3>{normal(0), normal(1), normal(2)};
+    const Vec3<Float> sum = weighted_sum(n, w);
+    Vec3<Float> fallback{};
+    if (HWY_UNLIKELY(any_of(dot(sum, sum) < Float(1e-12F)))) {  // where normals cancel, and only there, the face's is needed
+      fallback = turns_once ? normalize(object_normal()) : face_normal();
+    }
+    const Vec3<Float> interpolated = interpolate_normal(mode, n, w, fallback);
+    return turns_once ? instance.normal_from_object(interpolated) * side : interpolated;
+  }
+
+  [[nodiscard]] Vec3<Float> tint(const Weights<Float>& w) const {
+    const std::vector<Vec3f>& colors = instance.drawable->colors;
+    if (colors.empty()) {
+      return {Float(1), Float(1), Float(1)};
+    }
+    return weighted_sum<Float>({gather(colors.data(), vertices[0]), gather(colors.data(), vertices[1]), gather(colors.data(), vertices[2])}, w);
+  }
+};
+
+/// Where kLanes fragments lie on the image and in their triangles.
+struct FragmentPlaces {
+  Float x, y, depth;
+  Weights<Float> weights;
+};
+
+/// Edge function from corner `from` to corner `to`, as a float of the exact whole number.
+template <bool kSmall>
+HWY_INLINE Float edge_of(Int from_x, Int from_y, Int to_x, Int to_y, Int px, Int py) {
+  if constexpr (kSmall) {
+    return to_float((to_x - from_x) * (py - from_y) - (to_y - from_y) * (px - from_x));
+  } else {
+    return narrow(widen(to_x - from_x) * widen(py - from_y) - widen(to_y - from_y) * widen(px - from_x));
+  }
+}
+
+/// The words of kLanes records, by their place in a record.
+HWY_INLINE Int record_word(const TileScratch& s, Int first_word, std::size_t word) {
+  return gather(reinterpret_cast<const std::int32_t*>(s.records.data()) + word, first_word);
+}
+enum RecordWord : std::size_t {
+  word_x = 0,
+  word_y = 3,
+  word_inverse_area = 6,
+  word_key = 7,
+  word_vertex = 10,
+  word_id = 13,
+  word_material = 14,
+  word_flags = 15
+};
+
+/// The weights of clipped triangles' vertices, lane by lane: rare.
+inline HWY_NOINLINE void unclip(const Frame& frame, Int flags, const Mask& clipped, const Weights<Float>& at, Weights<Float>& weights) {
+  alignas(64) std::array<std::uint32_t, kLanes> chosen{}, flag{};
+  alignas(64) std::array<std::array<float, kLanes>, 3> in, out;
+  store_where(clipped, chosen.data(), Int(1));
+  store(flag.data(), flags);
+  for (std::size_t k = 0; k < 3; ++k) {
+    store(in[k].data(), at[k]);
+    store(out[k].data(), weights[k]);
+  }
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    if (chosen[i] != 0) {
+      const std::array<Vec3f, 3>& corner = frame.loose[flag[i] >> Record::kLooseShift].corner_weights;
+      const auto blend = [&](float a, float b, float c) { return (a * in[0][i] + b * in[1][i]) + c * in[2][i]; };
+      out[0][i] = blend(corner[0].x, corner[1].x, corner[2].x);
+      out[1][i] = blend(corner[0].y, corner[1].y, corner[2].y);
+      out[2][i] = blend(corner[0].z, corner[1].z, corner[2].z);
+    }
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    weights[k] = load(out[k].data());
+  }
+}
+
+/// reference/triangle.cpp: interpolants_at()
+HWY_INLINE FragmentPlaces locate(const Frame& frame, const TileScratch& s, Int record, Int px, Int py) {
+  const View& view = frame.scene->view;
+  const Int first_word = record << 4;
+  const Int flags = record_word(s, first_word, word_flags);
+  const Int x0 = record_word(s, first_word, word_x), x1 = record_word(s, first_word, word_x + 1), x2 = record_word(s, first_word, word_x + 2);
+  const Int y0 = record_word(s, first_word, word_y), y1 = record_word(s, first_word, word_y + 1), y2 = record_word(s, first_word, word_y + 2);
+  const Float inverse_area = from_bits(record_word(s, first_word, word_inverse_area));
+  const Float key0 = from_bits(record_word(s, first_word, word_key));
+  const Float key1 = from_bits(record_word(s, first_word, word_key + 1));
+  const Float key2 = from_bits(record_word(s, first_word, word_key + 2));
+  Float e1, e2;
+  if (HWY_LIKELY(all_of((flags & Int(Record::kSmall)) > Int(0)))) {
+    e1 = edge_of<true>(x2, y2, x0, y0, px, py);
+    e2 = edge_of<true>(x0, y0, x1, y1, px, py);
+  } else {
+    e1 = edge_of<false>(x2, y2, x0, y0, px, py);
+    e2 = edge_of<false>(x0, y0, x1, y1, px, py);
+  }
+  const Float slope1 = (key1 - key0) * inverse_area;
+  const Float slope2 = (key2 - key0) * inverse_area;
+  const Float key = (key0 + slope1 * e1) + slope2 * e2;
+  Float w1 = e1 * inverse_area;
+  Float w2 = e2 * inverse_area;
+  FragmentPlaces at;
+  if (view.projection == Projection::perspective) {
+    at.depth = Float(1) / key;
+    w1 = (w1 * key1) * at.depth;
+    w2 = (w2 * key2) * at.depth;
+  } else {
+    at.depth = Float(view.depth_far) - key * Float(view.depth_far - view.depth_near);
+  }
+  const Float w0 = (Float(1) - w1) - w2;
+  const Mask is_swapped = (flags & Int(Record::kSwapped)) > Int(0);
+  at.weights = {w0, select(is_swapped, w2, w1), select(is_swapped, w1, w2)};
+  const Mask is_clipped = (flags & Int(Record::kClipped)) > Int(0);
+  if (HWY_UNLIKELY(any_of(is_clipped))) {
+    unclip(frame, flags, is_clipped, {w0, w1, w2}, at.weights);
+  }
+  at.x = to_float(px) * Float(1.0F / kSubpixelUnits);  // exact, as a division by a power of two is
+  at.y = to_float(py) * Float(1.0F / kSubpixelUnits);
+  return at;
+}
+
+/// One evaluation of the equation.
+struct Shaded {
+  Terms<Float> terms;
+  Vec3<Float> scene_part;
+};
+
+/// visit(i, part) sees every light's part.
+template <class Visit>
+HWY_INLINE Shaded evaluate(const Faces& faces, const Surface<Float>& surface, const Vec3<Float>& tint, Visit&& visit) {
+  const Coefficients<float>& stated = faces.material.coefficients;
+  Coefficients<Float> k{vec_cast<Float>(stated.ambient), vec_cast<Float>(stated.diffuse), vec_cast<Float>(stated.specular),
+                        vec_cast<Float>(stated.emission), Float(stated.shininess)};
+  k.ambient = k.ambient * tint;
+  k.diffuse = k.diffuse * tint;
+  Shaded result;
+  const PreparedScene& scene = faces.scene;
+  result.terms = light_surface(
+      faces.material.lighting, surface, k, scene.ambient, scene.lights, scene.shading.normalized,
+      [&](std::size_t i, const Incident<Float>&, const LightTerms<Float>& part) { visit(i, (part.ambient + part.diffuse) + part.specular); });
+  result.scene_part = faces.material.lighting != Lighting::constant ? k.ambient * vec_cast<Float>(scene.ambient) + k.emission : k.diffuse;
+  return result;
+}
+
+template <class V>
+HWY_INLINE void scale_terms(Terms<Float>& terms, const V& by) {
+  terms.ambient = terms.ambient * by;
+  terms.diffuse = terms.diffuse * by;
+  terms.specular = terms.specular * by;
+  terms.emission = terms.emission * by;
+}
+
+/// Where the batch's outputs go: consecutive places from `begin` on.
+struct OutputSlot {
+  TileScratch& s;
+  std::size_t begin;
+
+  HWY_INLINE void put(std::size_t which, const Float& value) const { store(&s.output[which][begin], value); }
+  HWY_INLINE void put(std::size_t which, const Vec3<Float>& value) const {
+    put(which, value.x);
+    put(which + 1, value.y);
+    put(which + 2, value.z);
+  }
+  [[nodiscard]] float* light(std::size_t i) const { return &s.light_output[i * 3 * (TileScratch::kFragments + TileScratch::kPadding) + begin]; }
+  void put_light(std::size_t i, const Vec3<Float>& value) const {
+    constexpr std::size_t kRow = TileScratch::kFragments + TileScratch::kPadding;
+    store(light(i), value.x);
+    store(light(i) + kRow, value.y);
+    store(light(i) + 2 * kRow, value.z);
+  }
+  [[nodiscard]] Vec3<Float> get_light(std::size_t i) const {
+    constexpr std::size_t kRow = TileScratch::kFragments + TileScratch::kPadding;
+    return {load(light(i)), load(light(i) + kRow), load(light(i) + 2 * kRow)};
+  }
+};
+
+inline Shaded shade_flat(const Faces& faces, bool wants_lights, const OutputSlot& out) {
+  const Vec3<Float> center = ((faces.position(0) + faces.position(1)) + faces.position(2)) * Float(1.0F / 3.0F);
+  const Surface<Float> surface{center, faces.face_normal(), faces.scene.view.to_eye_from(center)};
+  const Float third(1.0F / 3.0F);
+  return evaluate(faces, surface, faces.tint({third, third, third}), [&](std::size_t i, const Vec3<Float>& part) {
+    if (wants_lights) {
+      out.put_light(i, part);
+    }
+  });
+}
+
+inline Shaded shade_gouraud(const Faces& faces, const Weights<Float>& w, bool wants_lights, const OutputSlot& out) {
+  Shaded sum;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3<Float> position = faces.position(i);
+    const Surface<Float> surface{position, faces.normal(i), faces.scene.view.to_eye_from(position)};
+    const Weights<Float> corner{Float(i == 0 ? 1.0F : 0.0F), Float(i == 1 ? 1.0F : 0.0F), Float(i == 2 ? 1.0F : 0.0F)};
+    const Vec3<Float> tint = faces.tint(corner);
+    Shaded vertex = evaluate(faces, surface, tint, [](std::size_t, const Vec3<Float>&) {});
+    const Vec3<Float> total = vertex.terms.sum();
+    const auto scale = [](Float c) { return select(c > Float(1), Float(1) / c, Float(1)); };
+    const Vec3<Float> by{scale(total.x), scale(total.y), scale(total.z)};
+    scale_terms(vertex.terms, by);
+    vertex.scene_part = vertex.scene_part * by;
+    const auto add = [&](Vec3<Float>& to, const Vec3<Float>& value) { to = i == 0 ? value * w[i] : to + value * w[i]; };
+    add(sum.terms.ambient, vertex.terms.ambient);
+    add(sum.terms.diffuse, vertex.terms.diffuse);
+    add(sum.terms.specular, vertex.terms.specular);
+    add(sum.terms.emission, vertex.terms.emission);
+    add(sum.scene_part, vertex.scene_part);
+    if (wants_lights) {  // once more, now that the clamp is known
+      evaluate(faces, surface, tint, [&](std::size_t l, const Vec3<Float>& part) {
+        Vec3<Float> value = i == 0 ? Vec3<Float>{} : out.get_light(l);
+        add(value, part * by);
+        out.put_light(l, value);
+      });
+    }
+  }
+  return sum;
+}
+
+/// Shades `count` fragments from `begin` on. Lanes beyond them calculate the first one again; what they store is stored over or never read.
+HWY_INLINE void shade_batch(const Frame& frame, TileScratch& s, const Instance& instance, const ShadingMaterial& material, std::size_t begin,
+                            std::size_t count) {
+  const PreparedScene& scene = *frame.scene;
+  Int record = load(&s.fragment_record[begin]);
+  Int px = load(&s.fragment_x[begin]);
+  Int py = load(&s.fragment_y[begin]);
+  if (count < kLanes) {
+    const Mask is_used = first_lanes(count);
+    record = select(is_used, record, Int(static_cast<std::int32_t>(s.fragment_record[begin])));
+    px = select(is_used, px, Int(s.fragment_x[begin]));
+    py = select(is_used, py, Int(s.fragment_y[begin]));
+  }
+  const FragmentPlaces at = locate(frame, s, record, px, py);
+  const Int first_word = record << 4;
+  const Mask is_back = (record_word(s, first_word, word_flags) & Int(Record::kBack)) > Int(0);
+  const Faces faces{
+      scene,
+      instance,
+      material,
+      {record_word(s, first_word, word_vertex), record_word(s, first_word, word_vertex + 1), record_word(s, first_word, word_vertex + 2)},
+      scene.shading.two_sided ? select(is_back, Float(-1), Float(1)) : Float(1)};
+  const OutputSlot out{s, begin};
+  const Vec3<Float> position = scene.view.point_at(at.x, at.y, at.depth);
+  Vec3<Float> normal{};
+  if (scene.shading.interpolation == Interpolation::phong || frame.wants_all) {
+    normal = scene.shading.interpolation == Interpolation::flat ? faces.face_normal() : faces.normal_at(scene.shading.normals, at.weights);
+  }
+  for (std::size_t i = 0; frame.wants_lights && i < scene.lights.size(); ++i) {
+    out.put_light(i, {});  // which is what a material brings that no light reaches
+  }
+  Shaded shaded;
+  switch (scene.shading.interpolation) {
+    case Interpolation::flat:
+      shaded = shade_flat(faces, frame.wants_lights, out);
+      break;
+    case Interpolation::gouraud:
+      shaded = shade_gouraud(faces, at.weights, frame.wants_lights, out);
+      break;
+    case Interpolation::phong:
+      shaded = evaluate(faces, {position, normal, scene.view.to_eye_at(at.x, at.y)}, faces.tint(at.weights),
+                        [&](std::size_t i, const Vec3<Float>& part) {
+                          if (frame.wants_lights) {
+                            out.put_light(i, part);
+                          }
+                        });
+      break;
+  }
+  Vec3<Float> fog{};
+  if (scene.fog) {
+    const Float clear = fog_factor(*scene.fog, length(position));
+    scale_terms(shaded.terms, Vec3<Float>{clear, clear, clear});
+    shaded.scene_part = shaded.scene_part * clear;
+    fog = vec_cast<Float>(scene.fog->color) * (Float(1) - clear);
+    for (std::size_t i = 0; frame.wants_lights && i < scene.lights.size(); ++i) {
+      out.put_light(i, out.get_light(i) * clear);
+    }
+  }
+  out.put(TileScratch::ambient, shaded.terms.ambient);
+  out.put(TileScratch::diffuse, shaded.terms.diffuse);
+  out.put(TileScratch::specular, shaded.terms.specular);
+  out.put(TileScratch::emission, shaded.terms.emission);
+  out.put(TileScratch::fog, fog);
+  if (frame.wants_all) {
+    out.put(TileScratch::scene_part, shaded.scene_part);
+    out.put(TileScratch::albedo, vec_cast<Float>(material.albedo) * faces.tint(at.weights));
+    out.put(TileScratch::normal, normal);
+    out.put(TileScratch::position, position);
+    out.put(TileScratch::weights, Vec3<Float>{at.weights[0], at.weights[1], at.weights[2]});
+    out.put(TileScratch::depth, at.depth);
+  }
+}
+
+}  // namespace lustro::HWY_NAMESPACE

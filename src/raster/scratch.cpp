@@ -1,0 +1,30 @@
+// A thread's memory grows to what pictures ask for and stays.
+#include <algorithm>
+
+#include "raster/frame.hpp"
+
+namespace lustro {
+
+void TileScratch::fit(const Frame& frame) {
+  stride = static_cast<std::size_t>(frame.tile_width) + kPadding;
+  plane = stride * static_cast<std::size_t>(frame.tile_height);
+  const std::size_t samples = plane * frame.pattern.size() + kPadding;
+  if (depth_key.size() < samples) {
+    depth_key.resize(samples);
+    winner.resize(samples);
+  }
+  class_begin.resize(std::max(class_begin.size(), frame.scene->materials.size() + 1));
+  if (frame.wants_lights) {
+    light_output.resize(std::max(light_output.size(), frame.scene->lights.size() * 3 * (kFragments + kPadding)));
+    light_parts.resize(frame.scene->lights.size());
+  }
+  visibility_seconds = 0;
+  shading_seconds = 0;
+  pixels_covered = 0;
+}
+
+void TileScratch::grow_records() {
+  records.resize(std::max<std::size_t>(4096, records.size() * 2));
+}
+
+}  // namespace lustro

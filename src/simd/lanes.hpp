@@ -1,0 +1,170 @@
+// N floats that calculate like one: a thin type over Google Highway's vectors, with the names of math/lane.hpp, so that the lighting equation
+// reads as mathematics and is compiled for every instruction set. Only operations that IEEE 754 defines to the last bit stand here: no fused
+// multiply-add, no estimate, no minimum or maximum whose answer to NaN differs between machines.
+//
+// Included by the sources of a row only (raster/row.cpp), which are compiled once an instruction set, with its compiler flags; everything lies
+// in a namespace that bears its name.
+#pragma once
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <cstdint>
+
+#include "lustro/vec.hpp"
+#include "math/lane.hpp"
+
+namespace lustro::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using FloatTag = hn::ScalableTag<float>;
+using IntTag = hn::RebindToSigned<FloatTag>;
+using UintTag = hn::RebindToUnsigned<FloatTag>;
+
+inline constexpr std::size_t kLanes = HWY_LANES(float);
+inline constexpr FloatTag kFloats{};
+inline constexpr IntTag kInts{};
+inline constexpr UintTag kUints{};
+
+using lustro::lane_max;  // the templates, beside the overloads below
+using lustro::lane_min;
+
+// clang-format off
+struct Mask {
+  hn::Mask<FloatTag> m;
+  Mask(hn::Mask<FloatTag> m_) : m(m_) {}  // NOLINT(google-explicit-constructor)
+};
+HWY_INLINE Mask operator&(Mask a, Mask b) { return hn::And(a.m, b.m); }
+HWY_INLINE Mask operator|(Mask a, Mask b) { return hn::Or(a.m, b.m); }
+HWY_INLINE Mask operator!(Mask a) { return hn::Not(a.m); }
+HWY_INLINE bool any_of(Mask a) { return !hn::AllFalse(kFloats, a.m); }
+HWY_INLINE bool all_of(Mask a) { return hn::AllTrue(kFloats, a.m); }
+
+struct Float {
+  hn::Vec<FloatTag> v;
+  HWY_INLINE Float() : v(hn::Zero(kFloats)) {}
+  HWY_INLINE Float(float x) : v(hn::Set(kFloats, x)) {}  // NOLINT(google-explicit-constructor)
+  HWY_INLINE Float(hn::Vec<FloatTag> v_) : v(v_) {}      // NOLINT(google-explicit-constructor)
+};
+HWY_INLINE Float operator+(Float a, Float b) { return hn::Add(a.v, b.v); }
+HWY_INLINE Float operator-(Float a, Float b) { return hn::Sub(a.v, b.v); }
+HWY_INLINE Float operator*(Float a, Float b) { return hn::Mul(a.v, b.v); }
+HWY_INLINE Float operator/(Float a, Float b) { return hn::Div(a.v, b.v); }
+HWY_INLINE Float operator-(Float a) { return hn::Neg(a.v); }
+HWY_INLINE Mask operator<(Float a, Float b) { return hn::Lt(a.v, b.v); }
+HWY_INLINE Mask operator>(Float a, Float b) { return hn::Gt(a.v, b.v); }
+HWY_INLINE Mask operator<=(Float a, Float b) { return hn::Le(a.v, b.v); }
+HWY_INLINE Mask operator>=(Float a, Float b) { return hn::Ge(a.v, b.v); }
+HWY_INLINE Mask operator==(Float a, Float b) { return hn::Eq(a.v, b.v); }
+HWY_INLINE Float select(Mask m, Float a, Float b) { return hn::IfThenElse(m.m, a.v, b.v); }
+HWY_INLINE Float square_root(Float a) { return hn::Sqrt(a.v); }
+HWY_INLINE Float sqrt(Float a) { return hn::Sqrt(a.v); }
+
+struct Int {
+  hn::Vec<IntTag> v;
+  HWY_INLINE Int() : v(hn::Zero(kInts)) {}
+  HWY_INLINE Int(std::int32_t x) : v(hn::Set(kInts, x)) {}  // NOLINT(google-explicit-constructor)
+  HWY_INLINE Int(hn::Vec<IntTag> v_) : v(v_) {}             // NOLINT(google-explicit-constructor)
+};
+HWY_INLINE Int operator+(Int a, Int b) { return hn::Add(a.v, b.v); }
+HWY_INLINE Int operator-(Int a, Int b) { return hn::Sub(a.v, b.v); }
+HWY_INLINE Int operator*(Int a, Int b) { return hn::Mul(a.v, b.v); }
+HWY_INLINE Int operator&(Int a, Int b) { return hn::And(a.v, b.v); }
+HWY_INLINE Int operator|(Int a, Int b) { return hn::Or(a.v, b.v); }
+HWY_INLINE Int operator<<(Int a, int bits) { return hn::ShiftLeftSame(a.v, bits); }
+HWY_INLINE Int operator>>(Int a, int bits) { return hn::ShiftRightSame(a.v, bits); }
+HWY_INLINE Mask operator<(Int a, Int b) { return hn::RebindMask(kFloats, hn::Lt(a.v, b.v)); }
+HWY_INLINE Mask operator>(Int a, Int b) { return hn::RebindMask(kFloats, hn::Gt(a.v, b.v)); }
+HWY_INLINE Mask operator==(Int a, Int b) { return hn::RebindMask(kFloats, hn::Eq(a.v, b.v)); }
+HWY_INLINE Int select(Mask m, Int a, Int b) { return hn::IfThenElse(hn::RebindMask(kInts, m.m), a.v, b.v); }
+HWY_INLINE Int lane_min(Int a, Int b) { return hn::Min(a.v, b.v); }
+HWY_INLINE Int lane_max(Int a, Int b) { return hn::Max(a.v, b.v); }
+
+HWY_INLINE Int bits_of(Float a) { return hn::BitCast(kInts, a.v); }
+HWY_INLINE Float from_bits(Int a) { return hn::BitCast(kFloats, a.v); }
+HWY_INLINE Float to_float(Int a) { return hn::ConvertTo(kFloats, a.v); }
+HWY_INLINE Int truncate(Float a) { return hn::ConvertTo(kInts, a.v); }
+HWY_INLINE Float floor_of(Float a) { return hn::Floor(a.v); }
+
+HWY_INLINE Float load(const float* p) { return hn::LoadU(kFloats, p); }
+HWY_INLINE Int load(const std::int32_t* p) { return hn::LoadU(kInts, p); }
+HWY_INLINE Int load(const std::uint32_t* p) { return hn::BitCast(kInts, hn::LoadU(kUints, p)); }
+HWY_INLINE void store(float* p, Float a) { hn::StoreU(a.v, kFloats, p); }
+HWY_INLINE void store(std::int32_t* p, Int a) { hn::StoreU(a.v, kInts, p); }
+HWY_INLINE void store(std::uint32_t* p, Int a) { hn::StoreU(hn::BitCast(kUints, a.v), kUints, p); }
+HWY_INLINE void store_where(Mask m, float* p, Float a) { hn::BlendedStore(a.v, m.m, kFloats, p); }
+HWY_INLINE void store_where(Mask m, std::uint32_t* p, Int a) { hn::BlendedStore(hn::BitCast(kUints, a.v), hn::RebindMask(kUints, m.m), kUints, p); }
+
+/// p[index] of every lane.
+HWY_INLINE Float gather(const float* p, Int index) { return hn::GatherIndex(kFloats, p, index.v); }
+HWY_INLINE Int gather(const std::int32_t* p, Int index) { return hn::GatherIndex(kInts, p, index.v); }
+HWY_INLINE Int gather(const std::uint32_t* p, Int index) { return hn::GatherIndex(kInts, reinterpret_cast<const std::int32_t*>(p), index.v); }
+HWY_INLINE Vec3<Float> gather(const Vec3f* p, Int index) {
+  const float* f = &p->x;
+  const Int i = index + index + index;
+  return {gather(f, i), gather(f, i + Int(1)), gather(f, i + Int(2))};
+}
+
+/// 0, 1, 2, ...
+HWY_INLINE Int lane_numbers() { return hn::Iota(kInts, 0); }
+/// The first `count` lanes.
+HWY_INLINE Mask first_lanes(std::size_t count) { return hn::FirstN(kFloats, count); }
+
+/// N doubles: room for products of image coordinates, which stay exact below 2^53. narrow() rounds to the nearest float, as a conversion of the
+/// whole number to float does.
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_WASM  // one lane has no halves; Highway 1.0 has no doubles for WebAssembly
+struct Wide {
+  double d[kLanes];
+};
+template <class Of>
+HWY_INLINE Wide make_wide(Of&& of) {
+  Wide w;
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    w.d[i] = of(i);
+  }
+  return w;
+}
+HWY_INLINE Wide widen(Int a) {
+  std::int32_t lanes[kLanes];
+  store(lanes, a);
+  return make_wide([&](std::size_t i) { return static_cast<double>(lanes[i]); });
+}
+HWY_INLINE Wide wide(double x) { return make_wide([x](std::size_t) { return x; }); }
+HWY_INLINE Wide operator+(const Wide& a, const Wide& b) { return make_wide([&](std::size_t i) { return a.d[i] + b.d[i]; }); }
+HWY_INLINE Wide operator-(const Wide& a, const Wide& b) { return make_wide([&](std::size_t i) { return a.d[i] - b.d[i]; }); }
+HWY_INLINE Wide operator*(const Wide& a, const Wide& b) { return make_wide([&](std::size_t i) { return a.d[i] * b.d[i]; }); }
+HWY_INLINE Float narrow(const Wide& a) {
+  float lanes[kLanes];
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    lanes[i] = static_cast<float>(a.d[i]);
+  }
+  return load(lanes);
+}
+#else
+using DoubleTag = hn::Repartition<double, FloatTag>;  // half as many lanes
+using HalfFloatTag = hn::Half<FloatTag>;
+using HalfIntTag = hn::RebindToSigned<HalfFloatTag>;
+inline constexpr DoubleTag kDoubles{};
+struct Wide {
+  hn::Vec<DoubleTag> low, high;
+};
+HWY_INLINE Wide widen(Int a) {
+  return {hn::PromoteTo(kDoubles, hn::LowerHalf(HalfIntTag(), a.v)), hn::PromoteTo(kDoubles, hn::UpperHalf(HalfIntTag(), a.v))};
+}
+HWY_INLINE Wide wide(double x) { return {hn::Set(kDoubles, x), hn::Set(kDoubles, x)}; }
+HWY_INLINE Wide operator+(Wide a, Wide b) { return {hn::Add(a.low, b.low), hn::Add(a.high, b.high)}; }
+HWY_INLINE Wide operator-(Wide a, Wide b) { return {hn::Sub(a.low, b.low), hn::Sub(a.high, b.high)}; }
+HWY_INLINE Wide operator*(Wide a, Wide b) { return {hn::Mul(a.low, b.low), hn::Mul(a.high, b.high)}; }
+HWY_INLINE Float narrow(Wide a) { return hn::Combine(kFloats, hn::DemoteTo(HalfFloatTag(), a.high), hn::DemoteTo(HalfFloatTag(), a.low)); }
+#endif
+// clang-format on
+
+}  // namespace lustro::HWY_NAMESPACE
+
+namespace lustro {
+template <>
+struct LaneInt<HWY_NAMESPACE::Float> {
+  using type = HWY_NAMESPACE::Int;
+};
+}  // namespace lustro

@@ -1,0 +1,244 @@
+// The promise of equal bits: the reference, every row of kernels and every number of threads draw the same floats, in colour and in all layers.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <string>
+
+#include "lustro/lustro.hpp"
+#include "shared_dir.hpp"
+#include "truth/scene_tree.hpp"
+
+namespace lustro {
+namespace {
+
+// Every layer there is.
+std::vector<Aov> all_aovs() {
+  std::vector<Aov> aovs;
+  for (int kind = 0; kind <= static_cast<int>(AovKind::mask); ++kind) {
+    aovs.push_back({static_cast<AovKind>(kind)});
+  }
+  return aovs;
+}
+
+// The first difference, in words.
+std::optional<std::string> difference(const Image& a, const Image& b, const std::string& name) {
+  if (a.width != b.width || a.height != b.height || a.channels != b.channels || a.pixels.size() != b.pixels.size()) {
+    return name + ": sizes differ";
+  }
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    if (std::bit_cast<std::uint32_t>(a.pixels[i]) != std::bit_cast<std::uint32_t>(b.pixels[i])) {
+      const std::size_t pixel = i / static_cast<std::size_t>(a.channels);
+      const std::size_t width = static_cast<std::size_t>(a.width);
+      return name + "[" + std::to_string(pixel % width) + ", " + std::to_string(pixel / width) + "] channel " +
+             std::to_string(i % static_cast<std::size_t>(a.channels)) + ": " + std::to_string(a.pixels[i]) + " and " +
+             std::to_string(b.pixels[i]);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> difference(const Result<Rendering>& a, const Result<Rendering>& b) {
+  if (!a || !b) {
+    const bool agree = !a && !b && a.error().text() == b.error().text();
+    return agree ? std::nullopt : std::optional<std::string>("one of them failed: " + (a ? b : a).error().text());
+  }
+  if (auto color = difference(a->color, b->color, "color")) {
+    return color;
+  }
+  if (a->layers.size() != b->layers.size()) {
+    return "numbers of layers differ";
+  }
+  for (std::size_t i = 0; i < a->layers.size(); ++i) {
+    if (auto layer = difference(a->layers[i].image, b->layers[i].image, a->layers[i].name)) {
+      return layer;
+    }
+  }
+  if (a->bytes.pixels != b->bytes.pixels) {
+    return "bytes differ";
+  }
+  if (a->stats.pixels_covered != b->stats.pixels_covered || a->stats.triangles_seen != b->stats.triangles_seen) {
+    return "statistics differ";
+  }
+  return std::nullopt;
+}
+
+Result<Rendering> drawn(const Scene& scene, const RenderOptions& how, bool with_layers = true) {
+  RenderOptions options = how;
+  options.store_bytes = true;
+  if (with_layers) {
+    options.aovs = all_aovs();
+  }
+  return render(scene, options);
+}
+
+// The scene by the reference, by every row, and by the widest row on several numbers of threads.
+void expect_parity(const Scene& scene, const std::string& name) {
+  const Result<Rendering> reference = drawn(scene, {.engine = Engine::reference});
+  for (const Target target : available_targets()) {
+    const auto found = difference(reference, drawn(scene, {.threads = 1, .target = target}));
+    EXPECT_FALSE(found) << name << ", target " << target_name(target) << ": " << *found;
+    const auto plain = difference(drawn(scene, {.engine = Engine::reference}, false), drawn(scene, {.threads = 2, .target = target}, false));
+    EXPECT_FALSE(plain) << name << ", target " << target_name(target) << " without layers: " << *plain;
+  }
+  for (const int threads : {2, 3, 7}) {
+    const auto found = difference(reference, drawn(scene, {.threads = threads}));
+    EXPECT_FALSE(found) << name << ", " << threads << " threads: " << *found;
+  }
+}
+
+TEST(Parity, EverySceneOfTheTree) {
+  for (const truth::TreeScene* entry : truth::chosen_scenes()) {
+    expect_parity(entry->scene, entry->name);
+    if (HasFailure()) {
+      return;
+    }
+  }
+}
+
+// Larger pictures than the tree's, of several tiles, with triangles from a fraction of a pixel to more than the picture.
+Scene big_scene(const std::string& mesh, Interpolation interpolation, int samples, int width, int height) {
+  Scene scene;
+  scene.shading.interpolation = interpolation;
+  scene.image.samples = samples;
+  scene.image.width = width;
+  scene.image.height = height;
+  scene.objects.push_back({.source = mesh, .mesh = truth::tree_mesh(mesh, scene.shading)});
+  return scene;
+}
+
+TEST(Parity, PicturesOfManyTiles) {
+  for (const char* mesh : {"primitive:sphere:300", "primitive:teapot", "primitive:cube", "primitive:plane:40"}) {
+    for (const int samples : {1, 2, 4, 8, 16}) {
+      expect_parity(big_scene(mesh, Interpolation::phong, samples, 301, 203), std::string(mesh) + " samples " + std::to_string(samples));
+    }
+  }
+}
+
+TEST(Parity, InterpolationsInPicturesOfManyTiles) {
+  for (const Interpolation interpolation : {Interpolation::flat, Interpolation::gouraud}) {
+    expect_parity(big_scene("primitive:torus:60", interpolation, 4, 200, 150), "torus");
+  }
+}
+
+// The camera inside the mesh: triangles cross the near plane and reach far out of the guard band.
+TEST(Parity, CamerasInsideMeshes) {
+  std::mt19937 random(7);
+  const auto number = [&random] { return static_cast<double>(random()) / 4294967296.0 * 2 - 1; };
+  for (int i = 0; i < 30; ++i) {
+    Scene scene = big_scene(i % 3 == 0 ? "primitive:cube" : (i % 3 == 1 ? "primitive:sphere:24" : "primitive:teapot"), Interpolation::phong,
+                            i % 2 == 0 ? 1 : 4, 190, 170);
+    scene.camera.eye = Vec3d{number(), number(), number()};
+    scene.camera.target = Vec3d{number() * 3, number() * 3, number() * 3};
+    scene.camera.fov = 20 + 65 * (number() + 1);
+    scene.camera.near = i % 4 == 0 ? 1e-4 : 0.05;
+    scene.camera.far = 100;
+    scene.shading.two_sided = i % 2 == 0;
+    expect_parity(scene, "inside " + std::to_string(i));
+  }
+}
+
+// Large coordinates, tiny and huge triangles, slivers, duplicates: whatever a file may hold.
+TEST(Parity, RandomTriangles) {
+  std::mt19937 random(11);
+  const auto number = [&random] { return static_cast<float>(random()) / 4294967296.0F * 2 - 1; };
+  for (int i = 0; i < 40; ++i) {
+    auto mesh = std::make_shared<Mesh>();
+    const float scale = i % 4 == 0 ? 0.02F : (i % 4 == 1 ? 0.3F : (i % 4 == 2 ? 2.0F : 50.0F));
+    const float place = i % 5 == 0 ? 1e5F : 1.0F;
+    for (int t = 0; t < 500; ++t) {
+      const Vec3f center{number() * place, number() * place, number() * place};
+      for (int k = 0; k < 3; ++k) {
+        mesh->positions.push_back({center.x + number() * scale * place, center.y + number() * scale * place,
+                                   center.z + number() * scale * place * (t % 7 == 0 ? 1e-3F : 1.0F)});
+      }
+      const auto first = static_cast<std::uint32_t>(3 * t);
+      mesh->triangles.push_back({first, first + 1, first + 2});
+      if (t % 11 == 0) {
+        mesh->triangles.push_back({first, first + 1, first + 2});  // exactly as near: the first one is seen
+        mesh->triangles.push_back({first + 2, first + 1, first});
+      }
+    }
+    Scene scene;
+    scene.image.width = 257;
+    scene.image.height = 131;
+    scene.image.samples = i % 2 == 0 ? 1 : 4;
+    scene.camera.projection = i % 3 == 0 ? Projection::orthographic : Projection::perspective;
+    scene.shading.two_sided = true;
+    scene.objects.push_back({.mesh = mesh});
+    expect_parity(scene, "random " + std::to_string(i));
+  }
+}
+
+// Many materials and instances in one tile.
+TEST(Parity, ManyMaterials) {
+  std::mt19937 random(13);
+  const auto number = [&random] { return static_cast<double>(random()) / 4294967296.0 * 2 - 1; };
+  Scene scene;
+  scene.image = {.width = 180, .height = 140, .samples = 4};
+  for (int i = 0; i < 60; ++i) {
+    Object object;
+    object.mesh = truth::tree_mesh(i % 2 == 0 ? "primitive:sphere:12" : "primitive:cube");
+    const double size = 0.1 + 0.2 * (number() + 1);
+    const double turn = number();
+    object.matrix.m = {
+        size, turn * size, 0, 3 * number(), -turn * size, size, 0, 3 * number(), 0, 0, i % 3 == 0 ? -size : 2 * size, 3 * number(), 0, 0, 0, 1};
+    object.material = Material{.diffuse = {{static_cast<float>(number() + 1) / 2, 0.5F, 0.2F}},
+                               .specular = {{0.5F, 0.5F, 0.5F}},
+                               .shininess = static_cast<float>(1 + i),
+                               .lighting = i % 5 == 0 ? std::optional(Lighting::blinn_phong) : std::nullopt};
+    scene.objects.push_back(object);
+  }
+  for (const NormalInterpolation normals : {NormalInterpolation::lerp, NormalInterpolation::slerp}) {
+    scene.shading.normals = normals;
+    expect_parity(scene, "materials");
+  }
+}
+
+TEST(Parity, ARendererThatIsUsedAgainGivesTheSameBits) {
+  Renderer renderer;
+  Rendering used;
+  std::size_t i = 0;
+  for (const truth::TreeScene* entry : truth::chosen_scenes()) {
+    if (++i % 23 != 0) {
+      continue;
+    }
+    RenderOptions options;
+    options.aovs = all_aovs();
+    const Result<void> again = renderer.render(entry->scene, options, used);
+    const Result<Rendering> once = render(entry->scene, options);
+    ASSERT_EQ(again.has_value(), once.has_value());
+    if (once) {
+      const auto found = difference(once->color, used.color, entry->name);
+      EXPECT_FALSE(found) << *found;
+    }
+  }
+}
+
+TEST(Target, NamesAreReadBack) {
+  for (const Target target : available_targets()) {
+    const auto parsed = parse_target(target_name(target));
+    ASSERT_TRUE(parsed);
+    EXPECT_EQ(*parsed, target);
+  }
+  EXPECT_EQ(*parse_target("auto"), Target::automatic);
+  EXPECT_EQ(parse_target("sse9").error().kind, ErrorKind::usage);
+  EXPECT_EQ(available_targets().back(), Target::scalar);
+}
+
+TEST(Target, WhatTheMachineLacksIsAnError) {
+  for (const char* name : {"avx512", "neon", "wasm"}) {
+    const auto parsed = parse_target(name);
+    if (!parsed) {
+      EXPECT_EQ(parsed.error().kind, ErrorKind::unsupported);
+      EXPECT_NE(parsed.error().message.find("scalar"), std::string::npos);
+      return;
+    }
+  }
+  FAIL() << "no machine has all three";
+}
+
+}  // namespace
+}  // namespace lustro
