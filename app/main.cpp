@@ -21,6 +21,7 @@ ExitCode run(std::vector<std::string> arguments) {
            make_explain,      // commands/explain.cpp      one pixel taken apart
            make_compare,      // commands/compare.cpp      how two pictures differ
            make_hash,         // commands/hash.cpp         the hash of the float picture
+           make_bench,        // commands/bench.cpp        where the time of a picture goes
            make_materials,    // commands/materials.cpp    the library of materials, as a list and as a picture
            make_schema,       // commands/schema.cpp       the JSON Schema of the scene file
            make_glsl,         // commands/glsl.cpp         the lighting equation as GLSL shaders

@@ -38,6 +38,19 @@ bool is_scene_file(const std::filesystem::path& file) {
   return extension == ".json" || (stream && c == '{');
 }
 
+void add_mtl_flag(CLI::App& app, bool& mtl_tr) {
+  app.add_flag("--mtl-tr", mtl_tr, "A lone Tr in an MTL file is the opacity, as 3ds Max writes it, not 1 - opacity")
+      ->disable_flag_override()
+      ->group("Input");
+}
+
+LoadOptions load_options(const Session& session, bool mtl_tr) {
+  LoadOptions options;
+  options.transparency_is_tr = mtl_tr;
+  options.threads = session.threads;
+  return options;
+}
+
 Result<LoadedScene> load_scene_argument(const std::string& argument, const SceneFlags& flags, LoadOptions options) {
   options.adjust = [&flags](Scene& scene) { return apply_scene_flags(flags, scene); };
   return is_primitive(argument) ? load_primitive(argument, options) : load_scene(argument, options);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lustro/scene.hpp"
+#include "report.hpp"
 #include "scene_flags.hpp"
 
 namespace lustro::app {
@@ -16,6 +17,15 @@ namespace lustro::app {
 
 /// Whether the file is a scene: JSON by its first character, and not named as glTF. A file that cannot be read is none.
 [[nodiscard]] bool is_scene_file(const std::filesystem::path& file);
+
+/// What SCENE may be, for help.
+inline constexpr const char* kSceneHelp = "A scene file, a mesh (OBJ, PLY, STL), or primitive:NAME (plane, cube, sphere, torus, teapot)";
+
+/// `--mtl-tr`, of every command that loads.
+void add_mtl_flag(CLI::App& app, bool& mtl_tr);
+
+/// How the command loads.
+[[nodiscard]] LoadOptions load_options(const Session& session, bool mtl_tr);
 
 /// The scene that the argument names.
 /// errors  as load_scene(); usage for a flag

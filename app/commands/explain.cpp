@@ -16,7 +16,7 @@ struct ExplainFlags {
 };
 
 Result<ExitCode> run_explain(const Session& session, const ExplainFlags& flags) {
-  const Result<LoadedScene> loaded = load_scene_argument(flags.scene, flags.scene_flags, {.transparency_is_tr = flags.mtl_tr, .adjust = {}});
+  const Result<LoadedScene> loaded = load_scene_argument(flags.scene, flags.scene_flags, load_options(session, flags.mtl_tr));
   if (!loaded) {
     return tl::unexpected(loaded.error());
   }
@@ -47,13 +47,11 @@ Command make_explain(CommandLine& line, Session& session) {
   CLI::App* app =
       add_subcommand(line, session, "explain", "Takes one pixel of the picture apart: what is seen there, how it is lit, what is stored");
   auto flags = std::make_shared<ExplainFlags>();
-  app->add_option("SCENE", flags->scene, "A scene file, a mesh (OBJ, PLY, STL), or primitive:NAME")->type_name("FILE")->required();
+  app->add_option("SCENE", flags->scene, kSceneHelp)->type_name("FILE")->required();
   app->add_option("X", flags->x, "The pixel's column, 0 is the left one")->type_name("N")->required();
   app->add_option("Y", flags->y, "The pixel's row, 0 is the top one")->type_name("N")->required();
   flags->scene_flags = add_scene_flags(*app);
-  app->add_flag("--mtl-tr", flags->mtl_tr, "A lone Tr in an MTL file is the opacity, as 3ds Max writes it, not 1 - opacity")
-      ->disable_flag_override()
-      ->group("Input");
+  add_mtl_flag(*app, flags->mtl_tr);
   return {app,
           {{"lustro explain scene.json 400 300", "why that pixel has its colour"},
            {"lustro explain bunny.ply 512 384 --lighting blinn-phong --json", "with flags as of `lustro render`, for a script"}},

@@ -54,7 +54,7 @@ Result<ExitCode> run_hash(const Session& session, const HashFlags& flags) {
     return tl::unexpected(aovs.error());
   }
   options->aovs = std::move(*aovs);
-  Result<LoadedScene> loaded = load_scene_argument(flags.scene, flags.scene_flags, {.transparency_is_tr = flags.mtl_tr, .adjust = {}});
+  Result<LoadedScene> loaded = load_scene_argument(flags.scene, flags.scene_flags, load_options(session, flags.mtl_tr));
   if (!loaded) {
     return tl::unexpected(loaded.error());
   }
@@ -76,7 +76,7 @@ Command make_hash(CommandLine& line, Session& session) {
   CLI::App* app =
       add_subcommand(line, session, "hash", "Prints the hash of the picture before it is stored: 16 digits, the same on every machine");
   auto flags = std::make_shared<HashFlags>();
-  app->add_option("SCENE", flags->scene, "A scene file, a mesh (OBJ, PLY, STL), or primitive:NAME")->type_name("FILE")->required();
+  app->add_option("SCENE", flags->scene, kSceneHelp)->type_name("FILE")->required();
   const std::string output = "Output";
   app->add_option("--aov", flags->aovs, "Layers to hash beside the picture, separated by commas: " + aov_list())
       ->type_name("LIST")
@@ -84,9 +84,7 @@ Command make_hash(CommandLine& line, Session& session) {
   app->add_flag("--allow-empty", flags->allow_empty, "Prints the hash even if nothing was drawn")->disable_flag_override()->group(output);
   flags->scene_flags = add_scene_flags(*app);
   add_draw_flags(*app, flags->draw_flags, flags->scene_flags);
-  app->add_flag("--mtl-tr", flags->mtl_tr, "A lone Tr in an MTL file is the opacity, as 3ds Max writes it, not 1 - opacity")
-      ->disable_flag_override()
-      ->group("Input");
+  add_mtl_flag(*app, flags->mtl_tr);
   return {app,
           {{"lustro hash scene.json", "for a list of what pictures should be, or a comparison between machines"},
            {"lustro hash bunny.ply --aov depth,normal,diffuse", "the hash of each layer, too"},

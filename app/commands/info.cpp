@@ -53,14 +53,12 @@ Command make_info(CommandLine& line, Session& session) {
   CLI::App* app = add_subcommand(line, session, "info", "Tells what a mesh or scene file holds, and what was repaired in it");
   auto flags = std::make_shared<InfoFlags>();
   app->add_option("FILE", flags->file, "A mesh (OBJ, PLY, STL), a scene file, or primitive:NAME")->type_name("FILE")->required();
-  app->add_flag("--mtl-tr", flags->mtl_tr, "A lone Tr in an MTL file is the opacity, as 3ds Max writes it, not 1 - opacity")
-      ->disable_flag_override()
-      ->group("Input");
+  add_mtl_flag(*app, flags->mtl_tr);
   return {
       app,
       {{"lustro info bunny.ply", "counts, bounds, materials, repairs"}, {"lustro info scene.json --json", "the same of a scene, for a script"}},
       [&session, flags]() -> Result<ExitCode> {
-        const LoadOptions options{.transparency_is_tr = flags->mtl_tr, .adjust = {}};
+        const LoadOptions options = load_options(session, flags->mtl_tr);
         const bool is_scene = !is_primitive(flags->file) && is_scene_file(flags->file);
         return is_scene ? scene_info(session, *flags, options) : mesh_info(session, *flags, options);
       }};

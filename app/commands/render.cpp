@@ -101,7 +101,7 @@ Result<ExitCode> run_render(const Session& session, const RenderFlags& flags) {
     }
     expected = *parsed;
   }
-  Result<LoadedScene> loaded = load_scene_argument(flags.scene, flags.scene_flags, {.transparency_is_tr = flags.mtl_tr, .adjust = {}});
+  Result<LoadedScene> loaded = load_scene_argument(flags.scene, flags.scene_flags, load_options(session, flags.mtl_tr));
   if (!loaded) {
     return tl::unexpected(loaded.error());
   }
@@ -158,9 +158,7 @@ Result<ExitCode> run_render(const Session& session, const RenderFlags& flags) {
 Command make_render(CommandLine& line, Session& session) {
   CLI::App* app = add_subcommand(line, session, "render", "Draws a scene or a mesh; flags override what the scene file says");
   auto flags = std::make_shared<RenderFlags>();
-  app->add_option("SCENE", flags->scene, "A scene file, a mesh (OBJ, PLY, STL), or primitive:NAME (plane, cube, sphere, torus, teapot)")
-      ->type_name("FILE")
-      ->required();
+  app->add_option("SCENE", flags->scene, kSceneHelp)->type_name("FILE")->required();
   const std::string output = "Output";
   app->add_option("-o,--output", flags->outputs,
                   "The picture: .png, .exr or .pfm; - is a PNG on standard output (default: the mesh's name with .png, beside it)")
@@ -185,9 +183,7 @@ Command make_render(CommandLine& line, Session& session) {
   app->add_flag("--print-scene", flags->print_scene, "Draws nothing; prints the scene file with all flags laid over it")->group(output);
   flags->scene_flags = add_scene_flags(*app);
   add_draw_flags(*app, flags->draw_flags, flags->scene_flags);
-  app->add_flag("--mtl-tr", flags->mtl_tr, "A lone Tr in an MTL file is the opacity, as 3ds Max writes it, not 1 - opacity")
-      ->disable_flag_override()
-      ->group("Input");
+  add_mtl_flag(*app, flags->mtl_tr);
   return {app,
           {{"lustro render bunny.ply --material jade --view front -o jade.png", "a mesh in a classic material, from the front"},
            {"lustro render scene.json --size 1920x1080 --samples 16 -o big.png", "a scene, larger and smoother than its file says"},
