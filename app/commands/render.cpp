@@ -25,7 +25,7 @@ struct RenderFlags {
   std::string expected_hash;
   std::string aovs;
   int bits = 8;
-  int png_level = 6;
+  std::optional<int> png_level;
   bool allow_empty = false;
   bool mtl_tr = false;
   bool print_scene = false;
@@ -40,8 +40,8 @@ Result<void> check_flags(const Session& session, const RenderFlags& flags) {
   if (flags.bits != 8 && flags.bits != 16) {
     return fail(ErrorKind::usage, "--bits", fmt::format("{} is neither 8 nor 16", flags.bits));
   }
-  if (flags.png_level < 0 || flags.png_level > 12) {
-    return fail(ErrorKind::usage, "--png-level", fmt::format("{} is outside 0..12", flags.png_level));
+  if (flags.png_level && (*flags.png_level < 0 || *flags.png_level > 12)) {
+    return fail(ErrorKind::usage, "--png-level", fmt::format("{} is outside 0..12", *flags.png_level));
   }
   return {};
 }
@@ -140,7 +140,8 @@ Result<ExitCode> run_render(const Session& session, const RenderFlags& flags) {
     }
   }
 
-  const WriteOptions write_options{.bits = flags.bits, .transfer = scene.image.transfer, .png_level = flags.png_level};
+  const WriteOptions write_options{
+      .bits = flags.bits, .transfer = scene.image.transfer, .png_level = flags.png_level, .threads = session.threads};
   const Result<std::vector<std::string>> written = write_outputs(outputs, *rendering, write_options);
   if (!written) {
     return tl::unexpected(written.error());
@@ -172,7 +173,10 @@ Command make_render(CommandLine& line, Session& session) {
          "Layers beside the picture, separated by commas: " + aov_list() + ". An .exr holds them all; out.png brings out.NAME.png for each")
       ->type_name("LIST")
       ->group(output);
-  app->add_option("--png-level", flags->png_level, "Compression of PNG, 0 (none) to 12 (slow) (default: 6)")->type_name("N")->group(output);
+  app->add_option("--png-level", flags->png_level,
+                  "Compression of PNG by libdeflate, 0 (none) to 12 (small and slow) (default: a fast packer of Lustro's own)")
+      ->type_name("N")
+      ->group(output);
   app->add_option("--expect-hash", flags->expected_hash,
                   "Writes only if the picture has this hash, as `lustro hash` prints it; otherwise the exit code is 1")
       ->type_name("HASH")

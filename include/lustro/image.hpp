@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -52,7 +53,10 @@ struct Layer {
 struct WriteOptions {
   int bits = 8;  ///< PNG: 8 or 16
   Transfer transfer = Transfer::srgb;
-  int png_level = 6;  ///< 0..12, as libdeflate counts them
+  /// Of PNG: 0 (none) to 12 (small and slow), as libdeflate counts them. None: 8 bits by a packer of our own, which takes a few milliseconds a
+  /// megapixel and makes files of about the size of libdeflate's level 6 on rendered pictures; 16 bits at level 6.
+  std::optional<int> png_level{};
+  int threads = 0;  ///< that make and pack a PNG, 0: one a core. The bytes do not depend on them
 };
 
 /// 8 bits per channel, interleaved, alpha not premultiplied: the very values that a PNG holds (which leaves out an alpha of 1 everywhere).
@@ -67,11 +71,17 @@ struct ByteImage {
 [[nodiscard]] ByteImage to_bytes(const Image& image, Transfer transfer);
 
 /// Writes an image by its extension: .png (8 or 16 bit), .exr or .pfm (float, linear). Under a temporary name in the same folder, then renamed:
-/// an existing file is replaced whole or not at all. Equal pixels give equal bytes. An alpha that is 1 everywhere is left out of a PNG; a PFM
-/// never has one.
+/// an existing file is replaced whole or not at all. Equal pixels give equal bytes. An alpha that is stored as 1 everywhere is left out of a
+/// PNG; a PFM never has one.
 ///
 /// errors  unsupported for another extension; usage for options out of range or an image of no size; io where the file cannot be written
 [[nodiscard]] Result<void> write_image(const std::filesystem::path& file, const Image& image, const WriteOptions& options = {});
+
+/// Writes the bytes of a picture (to_bytes(), Rendering::bytes) to a .png, byte for byte the file that the image they were made of becomes.
+/// `options.transfer` says what the bytes mean, and should be what they were made with.
+///
+/// errors  as above; usage for other than 8 bits; unsupported for .exr and .pfm, which hold floats
+[[nodiscard]] Result<void> write_image(const std::filesystem::path& file, const ByteImage& image, const WriteOptions& options = {});
 
 /// The colour picture and its layers as one EXR file with named layers (`diffuse.R`, `normal.X`, ...), float, linear. A layer's labels are the
 /// file's attribute NAME.labels, a vector of strings.

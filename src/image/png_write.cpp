@@ -1,20 +1,137 @@
-// The PNG writer. The container is five chunks; libdeflate compresses about three times as fast as zlib at the same size, and takes the image
-// whole. The filter is Sub in every row (PNG 3rd edition, 9.2): on shaded surfaces it comes within a few percent of the best choice, and a fixed
-// choice keeps the bytes a function of the pixels alone.
+// The PNG writer: a signature, a few chunks, and the filtered rows packed between them. Two ways to pack: strips of 8-bit rows go through our own
+// encoder on all threads (deflate.hpp), because a picture is drawn in less time than a general compressor takes to pack it; where a level is
+// asked for, and for 16 bits, libdeflate takes the picture whole.
 #include <libdeflate.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <cstring>
 #include <memory>
 
+#include "image/adler.hpp"
+#include "image/deflate.hpp"
 #include "image/png.hpp"
+#include "image/png_filter.hpp"
 #include "image/store.hpp"
 #include "parallel/parallel_for.hpp"
 
 namespace lustro {
 namespace {
+
+// --- the samples ---------------------------------------------------------------------------------------------------------------
+
+/// The stored samples as PNG orders them (16 bits big endian), before alpha is looked at.
+struct Samples {
+  std::size_t width = 0;
+  std::size_t height = 0;
+  std::size_t channels = 0;
+  std::size_t depth = 1;  ///< bytes a sample
+  std::span<const std::uint8_t> bytes;
+
+  [[nodiscard]] std::size_t step() const { return channels * depth; }
+  [[nodiscard]] std::span<const std::uint8_t> row(std::size_t y) const { return bytes.subspan(y * width * step(), width * step()); }
+};
+
+/// For loops whose bytes do not depend on it.
+constexpr std::size_t kRowsARange = 128;
+
+/// Calls body(begin, end) for a few ranges that make up 0..rows-1.
+template <class Body>
+void for_ranges(std::size_t rows, std::size_t rows_a_range, int threads, Body body) {
+  parallel_for((rows + rows_a_range - 1) / rows_a_range, threads,
+               [&](std::size_t i) { body(i * rows_a_range, std::min(rows, (i + 1) * rows_a_range)); });
+}
+
+/// Whether the last sample of every pixel is as large as it can be. A pixel with alpha takes 2, 4 or 8 bytes, so it lies the same way in every
+/// word.
+bool is_opaque(std::span<const std::uint8_t> row, std::size_t step, std::size_t depth) {
+  constexpr std::size_t kWord = sizeof(std::uint64_t);
+  std::uint64_t all = ~std::uint64_t{0};
+  std::size_t i = 0;
+  for (; i + kWord <= row.size(); i += kWord) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, &row[i], kWord);
+    all &= word;
+  }
+  std::array<std::uint8_t, kWord> least{};
+  std::memcpy(least.data(), &all, kWord);
+  for (std::size_t k = 0; i < row.size(); ++i, ++k) {
+    least[k] &= row[i];
+  }
+  for (std::size_t k = 0; k < kWord; ++k) {
+    if (k % step >= step - depth && least[k] != 0xFF) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Whether there is an alpha channel, and nothing in it but full coverage.
+bool has_idle_alpha(const Samples& samples, int threads) {
+  if (samples.channels != 2 && samples.channels != 4) {
+    return false;
+  }
+  std::atomic<bool> is_idle = true;
+  for_ranges(samples.height, kRowsARange, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t y = begin; y < end && is_idle.load(std::memory_order_relaxed); ++y) {
+      if (!is_opaque(samples.row(y), samples.step(), samples.depth)) {
+        is_idle.store(false, std::memory_order_relaxed);
+      }
+    }
+  });
+  return is_idle;
+}
+
+/// `row` without the last channel. Copies one sample more than it keeps, which the next pixel covers: `to` is one sample longer than needed.
+void drop_alpha(std::span<const std::uint8_t> row, std::size_t step, std::size_t depth, std::uint8_t* to) {
+  const auto drop = [&](auto width) {
+    for (std::size_t i = 0; i < row.size(); i += width(), to += width() - depth) {
+      std::memcpy(to, &row[i], width());
+    }
+  };
+  switch (step) {
+    case 2:
+      return drop([] { return std::size_t{2}; });
+    case 4:
+      return drop([] { return std::size_t{4}; });
+    default:
+      return drop([] { return std::size_t{8}; });
+  }
+}
+
+/// The rows as they are filtered: with or without alpha. One a thread, for it holds the rows that it gave last.
+class RowSource {
+ public:
+  RowSource(const Samples& samples, bool without_alpha) : samples_(samples), without_alpha_(without_alpha), rows_(2 * room()) {}
+
+  /// Row y, zeros for y = -1. Stays until the second call after this one.
+  std::span<const std::uint8_t> row(std::ptrdiff_t y) {
+    if (y >= 0 && !without_alpha_) {
+      return samples_.row(static_cast<std::size_t>(y));
+    }
+    std::uint8_t* to = &rows_[(y & 1) != 0 ? room() : 0];
+    if (y < 0) {
+      std::fill_n(to, length(), std::uint8_t{0});
+    } else {
+      drop_alpha(samples_.row(static_cast<std::size_t>(y)), samples_.step(), samples_.depth, to);
+    }
+    return {to, length()};
+  }
+
+  [[nodiscard]] std::size_t step() const { return without_alpha_ ? samples_.step() - samples_.depth : samples_.step(); }
+  [[nodiscard]] std::size_t length() const { return samples_.width * step(); }
+
+ private:
+  [[nodiscard]] std::size_t room() const { return length() + samples_.depth; }
+
+  const Samples& samples_;
+  bool without_alpha_;
+  std::vector<std::uint8_t> rows_;
+};
+
+// --- chunks ----------------------------------------------------------------------------------------------------------------------
 
 void append_u32(std::vector<std::byte>& out, std::uint32_t v) {
   for (int shift = 24; shift >= 0; shift -= 8) {
@@ -22,120 +139,184 @@ void append_u32(std::vector<std::byte>& out, std::uint32_t v) {
   }
 }
 
+void append_bytes(std::vector<std::byte>& out, std::span<const std::byte> bytes) {
+  out.insert(out.end(), bytes.begin(), bytes.end());
+}
+
+using ChunkType = std::array<char, 4>;
+constexpr ChunkType kData{'I', 'D', 'A', 'T'};
+
+std::uint32_t crc_of(const ChunkType& type, std::span<const std::byte> data) {
+  const std::uint32_t crc = libdeflate_crc32(0, type.data(), type.size());
+  return data.empty() ? crc : libdeflate_crc32(crc, data.data(), data.size());  // it takes no memory at all for a new beginning
+}
+
 /// Length, type, data, CRC of type and data.
-void append_chunk(std::vector<std::byte>& out, const char (&type)[5], std::span<const std::byte> data) {
+void append_chunk(std::vector<std::byte>& out, const ChunkType& type, std::span<const std::byte> data, std::uint32_t crc) {
   append_u32(out, static_cast<std::uint32_t>(data.size()));
-  const std::size_t begin = out.size();
-  for (int i = 0; i < 4; ++i) {
-    out.push_back(static_cast<std::byte>(type[i]));
+  append_bytes(out, std::as_bytes(std::span(type)));
+  append_bytes(out, data);
+  append_u32(out, crc);
+}
+
+void append_chunk(std::vector<std::byte>& out, const ChunkType& type, std::span<const std::byte> data) {
+  append_chunk(out, type, data, crc_of(type, data));
+}
+
+void append_head(std::vector<std::byte>& out, const Samples& samples, std::size_t channels, Transfer transfer) {
+  for (const int b : {0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A}) {
+    out.push_back(static_cast<std::byte>(b));
   }
-  out.insert(out.end(), data.begin(), data.end());
-  append_u32(out, libdeflate_crc32(0, out.data() + begin, out.size() - begin));
+  std::vector<std::byte> header;
+  append_u32(header, static_cast<std::uint32_t>(samples.width));
+  append_u32(header, static_cast<std::uint32_t>(samples.height));
+  constexpr std::array<std::size_t, 5> kColorTypes{0, 0, 4, 2, 6};  // by channels: gray, gray and alpha, RGB, RGBA
+  for (const std::size_t b : {8 * samples.depth, kColorTypes[channels], std::size_t{0}, std::size_t{0}, std::size_t{0}}) {
+    header.push_back(static_cast<std::byte>(b));
+  }
+  append_chunk(out, {'I', 'H', 'D', 'R'}, header);
+  if (transfer == Transfer::srgb) {
+    constexpr std::byte kPerceptual{0};
+    append_chunk(out, {'s', 'R', 'G', 'B'}, std::span(&kPerceptual, 1));
+  }
+  constexpr std::array<char, 15> kSoftware{'S', 'o', 'f', 't', 'w', 'a', 'r', 'e', 0, 'L', 'u', 's', 't', 'r', 'o'};  // no version: equal bytes
+  append_chunk(out, {'t', 'E', 'X', 't'}, std::as_bytes(std::span(kSoftware)));
 }
 
-bool has_alpha(const Image& image) {
-  return image.channels == 2 || image.channels == 4;
-}
+// --- packing ---------------------------------------------------------------------------------------------------------------------
 
-bool is_opaque(const Image& image) {
-  const auto step = static_cast<std::size_t>(image.channels);
-  for (std::size_t i = step - 1; i < image.pixels.size(); i += step) {
-    if (!(image.pixels[i] >= 1.0F)) {
-      return false;
+/// Rows that are packed together and become a chunk.
+struct Strip {
+  std::vector<std::byte> packed;
+  std::size_t filtered_bytes = 0;
+  std::uint32_t adler = kAdlerOfNothing;
+  std::uint32_t crc = 0;  ///< of the chunk, type and all
+};
+
+/// About how many filtered bytes a strip holds: enough that its code (some 80 bytes) and its chunk weigh nothing, few enough that a
+/// small picture gives work to several threads and a strip stays in the second cache. A constant, so that the bytes do not depend on threads.
+constexpr std::size_t kStripBytes = std::size_t{128} << 10;
+
+/// Every strip a chunk: its own filters, its own code, its own checksums. The stream's frame (RFC 1950) is around the first and the last.
+void append_fast_data(std::vector<std::byte>& out, const Samples& samples, bool without_alpha, int threads) {
+  const std::size_t filtered_row = RowSource(samples, without_alpha).length() + 1;
+  const std::size_t rows_a_strip = std::max<std::size_t>(1, kStripBytes / filtered_row);
+  std::vector<Strip> strips((samples.height + rows_a_strip - 1) / rows_a_strip);
+  for_ranges(samples.height, rows_a_strip, threads, [&](std::size_t begin, std::size_t end) {
+    RowSource source(samples, without_alpha);
+    std::vector<std::uint8_t> filtered((end - begin) * filtered_row);
+    std::span<const std::uint8_t> up = source.row(static_cast<std::ptrdiff_t>(begin) - 1);
+    for (std::size_t y = begin; y < end; ++y) {
+      const std::span<const std::uint8_t> row = source.row(static_cast<std::ptrdiff_t>(y));
+      filter_row_well(row, up, source.step(), std::span(filtered).subspan((y - begin) * filtered_row, filtered_row));
+      up = row;
     }
-  }
-  return true;
-}
-
-Image without_alpha(const Image& image) {
-  Image out(image.width, image.height, image.channels - 1);
-  const auto kept = static_cast<std::size_t>(out.channels);
-  for (std::size_t from = 0, to = 0; to < out.pixels.size(); from += kept + 1, to += kept) {
-    std::memcpy(&out.pixels[to], &image.pixels[from], kept * sizeof(float));
-  }
-  return out;
-}
-
-/// The stored samples as PNG orders them: 16 bits big endian.
-std::vector<std::uint8_t> samples(const Image& image, const WriteOptions& options) {
-  if (options.bits == 8) {
-    return stored8(image, options.transfer);
-  }
-  const std::vector<std::uint16_t> words = stored16(image, options.transfer);
-  std::vector<std::uint8_t> bytes(words.size() * 2);
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    bytes[2 * i] = static_cast<std::uint8_t>(words[i] >> 8);
-    bytes[2 * i + 1] = static_cast<std::uint8_t>(words[i] & 0xFF);
-  }
-  return bytes;
-}
-
-/// Every row with its filter byte before it: the difference from the same channel of the left neighbour, `step` bytes back.
-std::vector<std::uint8_t> filtered(const std::vector<std::uint8_t>& raw, std::size_t row_length, std::size_t step) {
-  constexpr std::uint8_t kSub = 1;
-  const std::size_t rows = raw.size() / row_length;
-  std::vector<std::uint8_t> out(rows * (row_length + 1));
-  parallel_for(rows, 0, [&](std::size_t y) {
-    const std::uint8_t* from = &raw[y * row_length];
-    std::uint8_t* to = &out[y * (row_length + 1)];
-    *to++ = kSub;
-    std::copy_n(from, step, to);
-    for (std::size_t i = step; i < row_length; ++i) {
-      to[i] = static_cast<std::uint8_t>(from[i] - from[i - step]);
+    Strip& strip = strips[begin / rows_a_strip];
+    if (begin == 0) {
+      strip.packed = {std::byte{0x78}, std::byte{0x01}};  // deflate, a window of 32 KiB, the fastest of four levels
     }
+    append_deflate(filtered, end == samples.height, strip.packed);
+    strip.filtered_bytes = filtered.size();
+    strip.adler = libdeflate_adler32(kAdlerOfNothing, filtered.data(), filtered.size());
+    strip.crc = crc_of(kData, strip.packed);
   });
-  return out;
+  std::uint32_t adler = kAdlerOfNothing;
+  std::size_t bytes = 0;
+  for (const Strip& strip : strips) {
+    adler = joined_adler(adler, strip.adler, strip.filtered_bytes);
+    bytes += strip.packed.size() + 12;
+  }
+  std::vector<std::byte> trailer;
+  append_u32(trailer, adler);
+  strips.back().crc = libdeflate_crc32(strips.back().crc, trailer.data(), trailer.size());
+  append_bytes(strips.back().packed, trailer);
+  out.reserve(out.size() + bytes + 16);
+  for (const Strip& strip : strips) {
+    append_chunk(out, kData, strip.packed, strip.crc);
+  }
 }
 
 struct FreeCompressor {
   void operator()(libdeflate_compressor* c) const { libdeflate_free_compressor(c); }
 };
 
+constexpr int kUsualLevel = 6;  // of libdeflate, where nobody asked
+
+/// The whole picture by libdeflate. Every row has the filter Sub: on shaded surfaces a search for repetitions finds more behind it than behind
+/// Paeth.
+Result<void> append_small_data(std::vector<std::byte>& out, const Samples& samples, bool without_alpha, int level, int threads) {
+  const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(libdeflate_alloc_compressor(level));
+  if (!compressor) {
+    return fail(ErrorKind::usage, "", "the compression level of a PNG lies in 0..12, and " + std::to_string(level) + " was asked for");
+  }
+  const std::size_t filtered_row = RowSource(samples, without_alpha).length() + 1;
+  std::vector<std::uint8_t> filtered(samples.height * filtered_row);
+  for_ranges(samples.height, kRowsARange, threads, [&](std::size_t begin, std::size_t end) {
+    RowSource source(samples, without_alpha);
+    for (std::size_t y = begin; y < end; ++y) {
+      filter_row(RowFilter::sub, source.row(static_cast<std::ptrdiff_t>(y)), {}, source.step(),
+                 std::span(filtered).subspan(y * filtered_row, filtered_row));
+    }
+  });
+  std::vector<std::byte> packed(libdeflate_zlib_compress_bound(compressor.get(), filtered.size()));
+  packed.resize(libdeflate_zlib_compress(compressor.get(), filtered.data(), filtered.size(), packed.data(), packed.size()));
+  constexpr std::size_t kLongestChunk = std::size_t{1} << 30;
+  out.reserve(out.size() + packed.size() + 64);
+  for (std::size_t begin = 0; begin < packed.size(); begin += kLongestChunk) {
+    append_chunk(out, kData, std::span(packed).subspan(begin, std::min(kLongestChunk, packed.size() - begin)));
+  }
+  return {};
+}
+
+Result<std::vector<std::byte>> encode(const Samples& samples, const WriteOptions& options) {
+  const bool without_alpha = has_idle_alpha(samples, options.threads);
+  std::vector<std::byte> out;
+  append_head(out, samples, samples.channels - (without_alpha ? 1 : 0), options.transfer);
+  if (!options.png_level && samples.depth == 1) {
+    append_fast_data(out, samples, without_alpha, options.threads);
+  } else {
+    // Between the halves of 16 bits there are few runs: what finds nothing else makes files half as large again.
+    const int level = options.png_level.value_or(kUsualLevel);
+    if (auto done = append_small_data(out, samples, without_alpha, level, options.threads); !done) {
+      return tl::unexpected(std::move(done).error());
+    }
+  }
+  append_chunk(out, {'I', 'E', 'N', 'D'}, {});
+  return out;
+}
+
+template <class AnyImage>
+Samples samples_of(const AnyImage& image, std::span<const std::uint8_t> bytes, std::size_t depth) {
+  return {.width = static_cast<std::size_t>(image.width),
+          .height = static_cast<std::size_t>(image.height),
+          .channels = static_cast<std::size_t>(image.channels),
+          .depth = depth,
+          .bytes = bytes};
+}
+
 }  // namespace
 
+Result<std::vector<std::byte>> encode_png(const ByteImage& image, const WriteOptions& options) {
+  if (options.bits != 8) {
+    return fail(ErrorKind::usage, "", "a picture of bytes becomes a PNG of 8 bits a channel, not of " + std::to_string(options.bits));
+  }
+  return encode(samples_of(image, image.pixels, 1), options);
+}
+
 Result<std::vector<std::byte>> encode_png(const Image& image, const WriteOptions& options) {
-  if (options.bits != 8 && options.bits != 16) {
+  if (options.bits == 8) {
+    return encode(samples_of(image, stored8(image, options.transfer, options.threads), 1), options);
+  }
+  if (options.bits != 16) {
     return fail(ErrorKind::usage, "", "a PNG has 8 or 16 bits a channel, not " + std::to_string(options.bits));
   }
-  const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(libdeflate_alloc_compressor(options.png_level));
-  if (!compressor) {
-    return fail(ErrorKind::usage, "",
-                "the compression level of a PNG lies in 0..12, and " + std::to_string(options.png_level) + " was asked for");
+  const std::vector<std::uint16_t> words = stored16(image, options.transfer, options.threads);
+  std::vector<std::uint8_t> bytes(words.size() * 2);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    bytes[2 * i] = static_cast<std::uint8_t>(words[i] >> 8);
+    bytes[2 * i + 1] = static_cast<std::uint8_t>(words[i] & 0xFF);
   }
-  if (has_alpha(image) && is_opaque(image)) {
-    return encode_png(without_alpha(image), options);
-  }
-  const std::vector<std::uint8_t> raw = samples(image, options);
-  const auto step = static_cast<std::size_t>(image.channels * options.bits / 8);
-  const std::vector<std::uint8_t> rows = filtered(raw, step * static_cast<std::size_t>(image.width), step);
-  std::vector<std::byte> packed(libdeflate_zlib_compress_bound(compressor.get(), rows.size()));
-  packed.resize(libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(), packed.data(), packed.size()));
-
-  std::vector<std::byte> out;
-  out.reserve(packed.size() + 128);
-  for (const int b : {0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A}) {
-    out.push_back(static_cast<std::byte>(b));
-  }
-  std::vector<std::byte> header;
-  append_u32(header, static_cast<std::uint32_t>(image.width));
-  append_u32(header, static_cast<std::uint32_t>(image.height));
-  constexpr std::array<int, 5> kColorTypes{-1, 0, 4, 2, 6};  // by channels: gray, gray and alpha, RGB, RGBA
-  for (const int b : {options.bits, kColorTypes[static_cast<std::size_t>(image.channels)], 0, 0, 0}) {
-    header.push_back(static_cast<std::byte>(b));
-  }
-  append_chunk(out, "IHDR", header);
-  if (options.transfer == Transfer::srgb) {
-    constexpr std::byte kPerceptual{0};
-    append_chunk(out, "sRGB", std::span(&kPerceptual, 1));
-  }
-  constexpr std::array<char, 15> kSoftware{'S', 'o', 'f', 't', 'w', 'a', 'r', 'e', 0, 'L', 'u', 's', 't', 'r', 'o'};  // no version: equal bytes
-  append_chunk(out, "tEXt", std::as_bytes(std::span(kSoftware)));
-  constexpr std::size_t kLongestChunk = std::size_t{1} << 30;
-  for (std::size_t begin = 0; begin < packed.size(); begin += kLongestChunk) {
-    append_chunk(out, "IDAT", std::span(packed).subspan(begin, std::min(kLongestChunk, packed.size() - begin)));
-  }
-  append_chunk(out, "IEND", {});
-  return out;
+  return encode(samples_of(image, bytes, 2), options);
 }
 
 }  // namespace lustro

@@ -11,12 +11,13 @@
 namespace lustro {
 namespace {
 
-Result<void> check_image(const Image& image) {
+template <class AnyImage>
+Result<void> check_image(const AnyImage& image) {
   const auto count = static_cast<std::int64_t>(image.pixels.size());
   if (image.width < 1 || image.height < 1 || image.channels < 1 || image.channels > 4 ||
       std::int64_t{image.width} * image.height * image.channels != count) {
     return fail(ErrorKind::usage, "",
-                fmt::format("an image of {} x {} pixels and {} channels with {} floats cannot be written", image.width, image.height,
+                fmt::format("an image of {} x {} pixels and {} channels with {} values cannot be written", image.width, image.height,
                             image.channels, count));
   }
   return {};
@@ -37,8 +38,8 @@ Result<std::vector<std::byte>> encode(ImageFormat format, const Image& image, co
 }
 
 /// Encodes, then writes; every error names the file.
-template <class Encode>
-Result<void> encode_and_write(const std::filesystem::path& file, const Image& image, Encode encode_bytes) {
+template <class AnyImage, class Encode>
+Result<void> encode_and_write(const std::filesystem::path& file, const AnyImage& image, Encode encode_bytes) {
   try {
     Result<std::vector<std::byte>> bytes = check_image(image).and_then(encode_bytes);
     if (!bytes) {
@@ -54,6 +55,15 @@ Result<void> encode_and_write(const std::filesystem::path& file, const Image& im
 
 Result<void> write_image(const std::filesystem::path& file, const Image& image, const WriteOptions& options) {
   return encode_and_write(file, image, [&] { return encode(format_of_name(file), image, options); });
+}
+
+Result<void> write_image(const std::filesystem::path& file, const ByteImage& image, const WriteOptions& options) {
+  return encode_and_write(file, image, [&]() -> Result<std::vector<std::byte>> {
+    if (format_of_name(file) != ImageFormat::png) {
+      return fail(ErrorKind::unsupported, "", "a picture of bytes is written as .png");
+    }
+    return encode_png(image, options);
+  });
 }
 
 Result<void> write_exr_layers(const std::filesystem::path& file, const Image& color, std::span<const Layer> layers) {

@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 #include "image/srgb.hpp"
@@ -92,12 +93,18 @@ TEST(PngWriter, TheHeaderAndTheChunksAreWhatTheOptionsSay) {
   EXPECT_EQ(types_of(chunks_of(*plain)), "IHDR tEXt IDAT IEND ");
 }
 
-TEST(PngWriter, AlphaIsLeftOutOnlyWhereItIsOneEverywhere) {
-  const auto color_type = [](const Image& image) { return static_cast<int>(chunks_of(*encode_png(image, {}))[0].data[9]); };
+TEST(PngWriter, AlphaIsLeftOutOnlyWhereItIsStoredAsOneEverywhere) {
+  const auto color_type = [](const Image& image, int bits = 8) {
+    return static_cast<int>(chunks_of(*encode_png(image, {.bits = bits}))[0].data[9]);
+  };
   Image image(2, 1, 4);
   image.pixels = {0.1F, 0.2F, 0.3F, 1.0F, 0.4F, 0.5F, 0.6F, 1.0F};
   EXPECT_EQ(color_type(image), 2);
-  image.pixels[7] = 0.999F;
+  EXPECT_EQ(color_type(image, 16), 2);
+  image.pixels[7] = 0.999F;  // 254.7 of 255, 65469 of 65535
+  EXPECT_EQ(color_type(image), 2);
+  EXPECT_EQ(color_type(image, 16), 6);
+  image.pixels[7] = 0.99F;
   EXPECT_EQ(color_type(image), 6);
   EXPECT_EQ(color_type(random_image(2, 2, 3, 1)), 2);
   EXPECT_EQ(color_type(random_image(2, 2, 2, 1)), 4);
@@ -111,21 +118,156 @@ TEST(PngWriter, EqualPixelsGiveEqualBytes) {
   }
 }
 
+/// What libspng (with zlib) reads, its checksums checked.
+std::vector<std::uint8_t> stored_in(const std::vector<std::byte>& png) {
+  spng_ctx* context = spng_ctx_new(0);
+  spng_set_crc_action(context, SPNG_CRC_ERROR, SPNG_CRC_ERROR);
+  spng_set_png_buffer(context, png.data(), png.size());
+  std::size_t size = 0;
+  EXPECT_EQ(spng_decoded_image_size(context, SPNG_FMT_PNG, &size), 0);
+  std::vector<std::uint8_t> stored(size);
+  EXPECT_EQ(spng_decode_image(context, stored.data(), stored.size(), SPNG_FMT_PNG, 0), 0);
+  EXPECT_EQ(spng_decode_chunks(context), 0);
+  spng_ctx_free(context);
+  return stored;
+}
+
 TEST(PngWriter, AnIndependentDecoderReadsTheStoredBytes) {
   for (const int channels : {1, 2, 3, 4}) {
     const Image image = random_image(33, 17, channels, static_cast<unsigned>(channels));
-    for (const int level : {0, 1, 6, 12}) {
+    for (const std::optional<int> level : {std::optional<int>(), std::optional(0), std::optional(1), std::optional(6), std::optional(12)}) {
       const auto png = encode_png(image, {.png_level = level});
       ASSERT_TRUE(png);
-      spng_ctx* context = spng_ctx_new(0);
-      spng_set_png_buffer(context, png->data(), png->size());
-      std::vector<std::uint8_t> stored(image.pixels.size());
-      EXPECT_EQ(spng_decode_image(context, stored.data(), stored.size(), SPNG_FMT_PNG, 0), 0);
-      EXPECT_EQ(spng_decode_chunks(context), 0);
-      spng_ctx_free(context);
-      EXPECT_EQ(stored, to_bytes(image, Transfer::srgb).pixels) << channels << " channels at level " << level;
+      EXPECT_EQ(stored_in(*png), to_bytes(image, Transfer::srgb).pixels) << channels << " channels at level " << level.value_or(-1);
     }
   }
+}
+
+/// A picture as rendered ones are: flat, smooth, edged and noisy parts; alpha, where there is one, mostly full.
+ByteImage random_bytes(RandomBits& random, int width, int height, int channels) {
+  ByteImage image{.width = width, .height = height, .channels = channels, .pixels = {}};
+  const std::uint32_t cell = 1 + random() % 64;
+  const std::uint32_t noise = random() % 3 == 0 ? 1 + random() % 256 : 1;
+  const std::uint32_t slope = random() % 5;
+  const std::uint32_t seed = random();
+  const bool is_opaque = random() % 2 == 0;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const std::uint32_t part = (static_cast<std::uint32_t>(x) / cell * 7 + static_cast<std::uint32_t>(y) / cell * 13 + seed) % 5;
+      for (int c = 0; c < channels; ++c) {
+        std::uint32_t v = 40 * part + static_cast<std::uint32_t>(c);
+        v += part < 2 ? 0 : (slope * static_cast<std::uint32_t>(x + y * c)) / 4;
+        v += part == 4 ? random() % noise : 0;
+        const bool is_alpha = channels % 2 == 0 && c == channels - 1;
+        image.pixels.push_back(is_alpha && (is_opaque || part != 0) ? std::uint8_t{255} : static_cast<std::uint8_t>(v));
+      }
+    }
+  }
+  return image;
+}
+
+/// What is expected to be stored: without an alpha that says nothing.
+std::vector<std::uint8_t> without_idle_alpha(const ByteImage& image) {
+  const auto step = static_cast<std::size_t>(image.channels);
+  std::vector<std::uint8_t> kept;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    if (step % 2 == 1 || i % step != step - 1) {
+      kept.push_back(image.pixels[i]);
+    } else if (image.pixels[i] != 255) {
+      return image.pixels;
+    }
+  }
+  return kept;
+}
+
+TEST(PngWriter, SizesAroundTheEdgesOfStripsComeBack) {
+  RandomBits random(21);
+  constexpr int kStrip = 128 << 10;
+  for (const int channels : {1, 2, 3, 4}) {
+    for (const int width : {1, 2, 5, 500, 16384}) {
+      const int rows = std::max(1, kStrip / (width * channels + 1));
+      for (const int height : {1, 2, rows - 1, rows, rows + 1, 2 * rows, 2 * rows + 1}) {
+        if (height < 1 || height > 16384) {
+          continue;
+        }
+        const ByteImage image = random_bytes(random, width, height, channels);
+        const auto png = encode_png(image, {});
+        ASSERT_TRUE(png);
+        ASSERT_EQ(stored_in(*png), without_idle_alpha(image)) << width << " x " << height << " x " << channels;
+      }
+    }
+  }
+}
+
+TEST(PngWriter, RandomPicturesComeBackTheSameFromAnyNumberOfThreads) {
+  RandomBits random(22);
+  std::size_t most_strips = 0;
+  for (int round = 0; round < 60; ++round) {
+    const int channels = 1 + static_cast<int>(random() % 4);
+    const ByteImage image = random_bytes(random, 1 + static_cast<int>(random() % 700), 1 + static_cast<int>(random() % 700), channels);
+    const auto png = encode_png(image, {.threads = 1});
+    ASSERT_TRUE(png);
+    const auto chunks = chunks_of(*png);
+    most_strips = std::max(most_strips, chunks.size() - 4);
+    ASSERT_EQ(stored_in(*png), without_idle_alpha(image)) << round;
+    for (const int threads : {0, 2, 3, 7}) {
+      ASSERT_EQ(*encode_png(image, {.threads = threads}), *png) << threads << " threads";
+    }
+  }
+  EXPECT_GE(most_strips, 8U);  // or nothing was shown
+}
+
+TEST(PngWriter, LevelsAndSixteenBitsDoNotDependOnThreadsEither) {
+  const Image image = random_image(300, 500, 4, 23);
+  for (const WriteOptions& options : {WriteOptions{.bits = 16}, WriteOptions{.png_level = 3}, WriteOptions{.bits = 16, .png_level = 3}}) {
+    std::vector<std::vector<std::byte>> files;
+    for (const int threads : {1, 2, 3, 7}) {
+      WriteOptions with = options;
+      with.threads = threads;
+      files.push_back(*encode_png(image, with));
+      ASSERT_EQ(files.back(), files.front());
+    }
+    EXPECT_LE(largest_difference(decoded(files.front(), Transfer::srgb), image), options.bits == 16 ? 1e-4F : 2e-2F);
+  }
+}
+
+TEST(PngWriter, BytesBecomeTheFileThatTheirImageBecomes) {
+  for (const int channels : {1, 2, 3, 4}) {
+    Image image = random_image(120, 90, channels, 24);
+    for (const Transfer transfer : {Transfer::srgb, Transfer::none}) {
+      for (const std::optional<int> level : {std::optional<int>(), std::optional(6)}) {
+        const WriteOptions options{.transfer = transfer, .png_level = level};
+        EXPECT_EQ(*encode_png(to_bytes(image, transfer), options), *encode_png(image, options));
+      }
+    }
+  }
+  EXPECT_EQ(encode_png(ByteImage{1, 1, 1, {0}}, {.bits = 16}).error().kind, ErrorKind::usage);
+}
+
+TEST(PngWriter, TheFastPackerIsNearTheSlowOneAndNeverLargerThanItsInput) {
+  // a shaded ball on an even ground
+  constexpr int kSize = 400;
+  ByteImage ball{.width = kSize, .height = kSize, .channels = 3, .pixels = std::vector<std::uint8_t>(std::size_t{3} * kSize * kSize, 30)};
+  for (int y = 0; y < kSize; ++y) {
+    for (int x = 0; x < kSize; ++x) {
+      const float u = static_cast<float>(x - 200) / 150;
+      const float v = static_cast<float>(y - 200) / 150;
+      if (const float depth2 = 1 - u * u - v * v; depth2 > 0) {
+        const float light = std::max(0.0F, 0.6F * std::sqrt(depth2) - 0.5F * u - 0.6F * v);
+        for (std::size_t c = 0; c < 3; ++c) {
+          ball.pixels[static_cast<std::size_t>(y * kSize + x) * 3 + c] =
+              static_cast<std::uint8_t>(40 + light * (200 - 40 * static_cast<float>(c)));
+        }
+      }
+    }
+  }
+  EXPECT_LT(encode_png(ball, {})->size(), encode_png(ball, {.png_level = 1})->size() * 5 / 4);
+  RandomBits random(25);
+  ByteImage noise{.width = 300, .height = 700, .channels = 3, .pixels = std::vector<std::uint8_t>(std::size_t{3} * 300 * 700)};
+  std::generate(noise.pixels.begin(), noise.pixels.end(), [&] { return static_cast<std::uint8_t>(random() >> 11); });
+  const auto png = encode_png(noise, {});
+  EXPECT_LT(png->size(), noise.pixels.size() + 700 + 300);  // a filter's number a row, chunks, blocks
+  EXPECT_EQ(stored_in(*png), noise.pixels);
 }
 
 TEST(PngWriter, BitsAndLevelsOutOfRangeAreRefused) {
@@ -348,8 +490,8 @@ TEST(PngReader, SizesAreCheckedBeforeMemoryIsTaken) {
 
 TEST(PngReader, ALargeEvenPictureIsNotTakenForABomb) {
   const Image image(2048, 2048, 1);
-  const auto png = encode_png(image, {.png_level = 6});
-  EXPECT_EQ(decoded(*png).width, 2048);
+  EXPECT_EQ(decoded(*encode_png(image, {})).width, 2048);
+  EXPECT_EQ(decoded(*encode_png(image, {.png_level = 6})).width, 2048);
 }
 
 }  // namespace

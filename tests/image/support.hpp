@@ -50,6 +50,19 @@ inline std::vector<std::byte> bytes_of_text(const std::string& text) {
   return bytes;
 }
 
+/// The bits of the generator as the 32 that they are (its own type may be wider).
+class RandomBits {
+ public:
+  using result_type = std::uint32_t;
+  explicit RandomBits(unsigned seed) : generator_(seed) {}
+  static constexpr result_type min() { return 0; }
+  static constexpr result_type max() { return 0xFFFFFFFF; }
+  result_type operator()() { return static_cast<result_type>(generator_()); }
+
+ private:
+  std::mt19937 generator_;
+};
+
 /// 0..1 from the bits of the generator, the same with every standard library.
 inline float unit(std::mt19937& random) {
   return static_cast<float>(random() >> 8) * 0x1p-24F;
