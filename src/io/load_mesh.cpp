@@ -55,6 +55,7 @@ Result<SourceMesh> load_obj(std::string_view bytes, const fs::path& file, const 
   const fs::path folder = file.parent_path();
   ObjOptions obj;
   obj.transparency_is_tr = options.transparency_is_tr;
+  obj.threads = options.threads;
   obj.read_library = [&](const std::string& name) -> Result<std::string> {
     const Result<FileBytes> library = read_file(find_beside(folder, name));
     if (!library) {

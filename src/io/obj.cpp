@@ -1,4 +1,5 @@
-// Reads an OBJ in one pass over its bytes. Indices are checked where they stand; what points ahead is checked at the end, by its line.
+// Reads an OBJ in one pass over its bytes: usual lines by many threads, part by part; the others, and what depends on them, in order. Indices
+// are checked where they stand; what points ahead is checked at the end, by its line.
 #include "io/obj.hpp"
 
 #include <fmt/format.h>
@@ -17,9 +18,11 @@
 #include "io/colors.hpp"
 #include "io/limits.hpp"
 #include "io/note_book.hpp"
+#include "io/obj_lines.hpp"
 #include "io/obj_materials.hpp"
 #include "io/obj_statements.hpp"
 #include "io/text.hpp"
+#include "parallel/parallel_for.hpp"
 
 namespace lustro {
 
@@ -44,18 +47,24 @@ struct IndexStream {
 class ObjReader {
  public:
   ObjReader(std::string_view bytes, const std::string& file, const ObjOptions& options)
-      : text_(bytes, {.hash_comments = true, .joined_lines = true}), file_(file), notes_(file), materials_(options) {}
+      : bytes_(bytes), text_(bytes, {.hash_comments = true, .joined_lines = true}), file_(file), notes_(file), materials_(options) {}
 
-  Result<SourceMesh> read();
+  Result<SourceMesh> read(int threads, std::size_t part_bytes);
+  Result<SourceMesh> read_line_by_line();
 
  private:
+  bool read_lines(const char* begin, const char* end, std::size_t line);
+  bool take_part(const ObjPart& part);
+  [[nodiscard]] std::array<std::int64_t, 3> records_before(const ObjPiece& piece) const;
+  [[nodiscard]] bool can_take(const ObjPiece& piece) const;
+  bool take_piece(const ObjPart& part, const ObjPiece& piece);
   bool read_statement(std::string_view word);
   bool read_vertex();
   bool read_vector(std::string_view word, int most, int least, std::array<float, 3>& numbers);
   bool read_face();
   bool read_corner();
   bool read_index(IndexStream& stream, std::size_t count, std::uint32_t& index);
-  void end_face();
+  void describe_faces(std::size_t face);
   void begin_group(std::size_t face);
   void read_group(bool is_object);
   void read_smoothing();
@@ -79,7 +88,9 @@ class ObjReader {
     return list.size() < kMostElements || error(ErrorKind::limit, text_.line(), fmt::format("more than {} {}", kMostElements, what));
   }
 
+  std::string_view bytes_;
   TextCursor text_;
+  std::size_t lines_ = 1;  // the first line of the part at hand
   const std::string& file_;
   NoteBook notes_;
   ObjMaterials materials_;
@@ -107,17 +118,120 @@ class ObjReader {
   std::string first_unknown_;
 };
 
-Result<SourceMesh> ObjReader::read() {
-  for (; !text_.at_end(); text_.next_line()) {
-    const std::string_view word = text_.word();
-    if (!word.empty() && !read_statement(word)) {
-      return tl::unexpected(std::move(*error_));
+Result<SourceMesh> ObjReader::read(int threads, std::size_t part_bytes) {
+  std::vector<ObjPart> parts(std::min(bytes_.size() / part_bytes, 4 * thread_count(threads)) + 1);
+  std::vector<const char*> ends(parts.size());
+  const char* const end = bytes_.data() + bytes_.size();
+  // Behind a byte order mark.
+  for (const char* begin = text_.here(); begin != end;) {
+    std::size_t count = 0;
+    for (const char* at = begin; at != end && count < parts.size(); ++count) {
+      at = ends[count] = end_of_obj_part(bytes_, at, part_bytes);
     }
+    parallel_for(count, threads, [&](std::size_t i) { read_obj_part(bytes_, i == 0 ? begin : ends[i - 1], ends[i], parts[i]); });
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!take_part(parts[i])) {
+        return tl::unexpected(std::move(*error_));
+      }
+    }
+    begin = ends[count - 1];
   }
+  std::vector<ObjPart>().swap(parts);
   if (!finish()) {
     return tl::unexpected(std::move(*error_));
   }
   return std::move(mesh_);
+}
+
+Result<SourceMesh> ObjReader::read_line_by_line() {
+  if (!read_lines(text_.here(), bytes_.data() + bytes_.size(), 1) || !finish()) {
+    return tl::unexpected(std::move(*error_));
+  }
+  return std::move(mesh_);
+}
+
+// Every statement, one by one, from `begin` to `end`.
+bool ObjReader::read_lines(const char* begin, const char* end, std::size_t line) {
+  for (text_.go_to(begin, line); text_.here() != end; text_.next_line()) {
+    const std::string_view word = text_.word();
+    if (!word.empty() && !read_statement(word)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool ObjReader::take_part(const ObjPart& part) {
+  for (const ObjPiece& piece : part.pieces) {
+    const bool is_good = can_take(piece) ? take_piece(part, piece) : read_lines(piece.begin, piece.end, lines_ + piece.first_line);
+    if (!is_good) {
+      return false;
+    }
+  }
+  lines_ += part.lines;
+  return true;
+}
+
+// How many records stand before the part as far as its arrays hold them.
+std::array<std::int64_t, 3> ObjReader::records_before(const ObjPiece& piece) const {
+  const std::array<std::size_t, 3> now{mesh_.positions.size(), mesh_.uvs.size(), mesh_.normals.size()};
+  std::array<std::int64_t, 3> before{};
+  for (std::size_t kind = 0; kind < 3; ++kind) {
+    before[kind] = static_cast<std::int64_t>(now[kind]) - static_cast<std::int64_t>(piece.first_record[kind]);
+  }
+  return before;
+}
+
+// Whether all is well with a piece, here where it stands: what is not is read again, statement by statement, to be said as it is.
+bool ObjReader::can_take(const ObjPiece& piece) const {
+  if (!piece.is_usual) {
+    return false;
+  }
+  const std::array<std::int64_t, 3> before = records_before(piece);
+  const auto is_inside = [&](ObjPiece::Kind kind) { return piece.needed[kind] <= before[kind]; };
+  const auto has_room = [&](const auto& list, std::size_t more) { return more <= kMostElements - list.size(); };
+  return is_inside(ObjPiece::vertex) && is_inside(ObjPiece::uv) && is_inside(ObjPiece::normal) &&
+         has_room(mesh_.positions, piece.records[ObjPiece::vertex]) && has_room(mesh_.uvs, piece.records[ObjPiece::uv]) &&
+         has_room(mesh_.normals, piece.records[ObjPiece::normal]) && has_room(mesh_.corner_position, piece.corners) &&
+         has_room(mesh_.face_begin, piece.faces);
+}
+
+bool ObjReader::take_piece(const ObjPart& part, const ObjPiece& piece) {
+  const std::array<std::int64_t, 3> before = records_before(piece);
+  const auto append = [](auto& to, const auto& from, std::size_t first, std::size_t count) {
+    to.insert(to.end(), from.data.get() + first, from.data.get() + first + count);
+  };
+  append(mesh_.positions, part.positions, piece.first_record[ObjPiece::vertex], piece.records[ObjPiece::vertex]);
+  append(mesh_.uvs, part.uvs, piece.first_record[ObjPiece::uv], piece.records[ObjPiece::uv]);
+  append(mesh_.normals, part.normals, piece.first_record[ObjPiece::normal], piece.records[ObjPiece::normal]);
+  if (piece.faces == 0) {
+    return true;
+  }
+  const std::size_t corner = mesh_.corner_position.size();
+  const std::size_t face = mesh_.face_count();
+  const auto append_corners = [&](std::vector<std::uint32_t>& to, IndexStream& stream, ObjPiece::Kind kind, std::size_t first) {
+    to.resize(corner, kNone);
+    append(to, part.corners[kind], first, piece.corners);
+    const std::uint32_t base = piece.is_relative ? static_cast<std::uint32_t>(before[kind]) : 0;
+    for (std::size_t i = corner; base != 0 && i < to.size(); ++i) {
+      to[i] += base;
+    }
+    stream.first_line = stream.first_line == 0 ? lines_ + piece.first_face_line : stream.first_line;
+  };
+  append_corners(mesh_.corner_position, vertex_, ObjPiece::vertex, piece.first_corner);
+  if (piece.names_uvs) {
+    append_corners(mesh_.corner_uv, uv_, ObjPiece::uv, piece.first_uv_corner);
+  }
+  if (piece.names_normals) {
+    append_corners(mesh_.corner_normal, normal_, ObjPiece::normal, piece.first_normal_corner);
+  }
+  append(mesh_.face_begin, part.face_end, piece.first_face, piece.faces);
+  const auto shift = static_cast<std::uint32_t>(corner) - static_cast<std::uint32_t>(piece.first_corner);
+  for (std::size_t f = face + 1; f < mesh_.face_begin.size(); ++f) {
+    mesh_.face_begin[f] += shift;
+  }
+  describe_faces(face);
+  return true;
 }
 
 bool ObjReader::read_statement(std::string_view word) {
@@ -225,7 +339,8 @@ bool ObjReader::read_face() {
     }
   }
   if (mesh_.corner_position.size() - begin >= 3) {
-    end_face();
+    mesh_.face_begin.push_back(static_cast<std::uint32_t>(mesh_.corner_position.size()));
+    describe_faces(mesh_.face_count() - 1);
     return true;
   }
   mesh_.corner_position.resize(begin);
@@ -292,22 +407,22 @@ bool ObjReader::read_index(IndexStream& stream, std::size_t count, std::uint32_t
                                 : fmt::format("{} index {} is outside -{}..-1", stream.name, written, records));
 }
 
-void ObjReader::end_face() {
-  const std::size_t face = mesh_.face_count();
-  mesh_.face_begin.push_back(static_cast<std::uint32_t>(mesh_.corner_position.size()));
+// What the statements before the last faces, from `face` on, say about them.
+void ObjReader::describe_faces(std::size_t face) {
+  const std::size_t faces = mesh_.face_count();
   if (has_smoothing_) {
     mesh_.face_smoothing.resize(face, 0);
-    mesh_.face_smoothing.push_back(smoothing_);
+    mesh_.face_smoothing.resize(faces, smoothing_);
   }
   if (has_materials_) {
     mesh_.face_material.resize(face, kNone);
-    mesh_.face_material.push_back(material_);
+    mesh_.face_material.resize(faces, material_);
   }
   if (group_is_new_) {
     begin_group(face);
   }
   if (!groups_.empty()) {
-    mesh_.face_object.push_back(group_);
+    mesh_.face_object.resize(faces, group_);
   }
 }
 
@@ -430,13 +545,24 @@ bool ObjReader::finish() {
   return true;
 }
 
+bool is_utf16(std::string_view bytes) {
+  return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
+}
+
 }  // namespace
 
 Result<SourceMesh> parse_obj(std::string_view bytes, const std::string& file, const ObjOptions& options) {
-  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
+  if (is_utf16(bytes)) {
     return fail(ErrorKind::unsupported, file, "is UTF-16 text: expected UTF-8 or ASCII");
   }
-  return ObjReader(bytes, file, options).read();
+  return ObjReader(bytes, file, options).read(options.threads, options.part_bytes);
+}
+
+Result<SourceMesh> parse_obj_line_by_line(std::string_view bytes, const std::string& file, const ObjOptions& options) {
+  if (is_utf16(bytes)) {
+    return fail(ErrorKind::unsupported, file, "is UTF-16 text: expected UTF-8 or ASCII");
+  }
+  return ObjReader(bytes, file, options).read_line_by_line();
 }
 
 }  // namespace lustro

@@ -1,6 +1,7 @@
 // Wavefront OBJ: polygons, normals, texture coordinates, vertex colours, groups, smoothing groups and materials.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -17,6 +18,10 @@ struct ObjOptions {
   /// Says whether a map file that a library names is there, both names as written. Not set: no map is looked for.
   std::function<bool(const std::string& library, const std::string& map)> has_map;
   bool transparency_is_tr = false;  ///< as in LoadOptions
+  int threads = 0;                  ///< as in LoadOptions
+
+  /// As much text as one thread reads at a time: what it makes of that stays in its cache until it is taken over.
+  std::size_t part_bytes = std::size_t{1} << 19U;
 };
 
 /// The mesh of an OBJ text, faithful to it: polygons stay polygons.
@@ -33,5 +38,8 @@ struct ObjOptions {
 /// errors  malformed with the line: numbers that are none, indices outside; limit for more than 2^32 - 2 of a kind; what parse_mtl() refuses
 /// source  Wavefront, The Advanced Visualizer manual, appendix B1 (object files), 1995
 [[nodiscard]] Result<SourceMesh> parse_obj(std::string_view bytes, const std::string& file, const ObjOptions& options = {});
+
+/// The same, by one thread and without the shorter way for usual lines (obj_lines.hpp).
+[[nodiscard]] Result<SourceMesh> parse_obj_line_by_line(std::string_view bytes, const std::string& file, const ObjOptions& options = {});
 
 }  // namespace lustro

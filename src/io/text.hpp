@@ -26,6 +26,14 @@ class TextCursor {
   [[nodiscard]] std::size_t line() const { return line_; }
   [[nodiscard]] std::size_t remaining() const { return static_cast<std::size_t>(end_ - here_); }
 
+  [[nodiscard]] const char* here() const { return here_; }
+
+  /// Goes to the start of any line of the text.
+  void go_to(const char* start, std::size_t line) {
+    here_ = start;
+    line_ = line;
+  }
+
   /// Moves over blanks, and over the ends of joined lines.
   void skip_blanks() {
     while (here_ != end_) {
