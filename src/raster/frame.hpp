@@ -21,8 +21,9 @@ namespace lustro {
 /// A cluster that may be seen.
 struct VisibleCluster {
   std::uint32_t instance = 0;
-  std::uint32_t cluster = 0;  ///< within its mesh
-  float nearest = 0;          ///< no vertex has a larger depth key
+  std::uint32_t cluster = 0;                              ///< within its mesh
+  float nearest = 0;                                      ///< no vertex has a larger depth key
+  std::int16_t left = 0, top = 0, right = 0, bottom = 0;  ///< pixels that it may touch, bounds included, limited to the picture
 };
 
 /// Pixels; the upper bounds are excluded.
@@ -38,6 +39,12 @@ struct TileLists {
   [[nodiscard]] std::span<const std::uint32_t> of(std::size_t tile) const {
     return std::span(entries).subspan(begin[tile], begin[tile + 1] - begin[tile]);
   }
+};
+
+/// A pixel as it is stored: linear, premultiplied floats, and bytes.
+struct StoredPixel {
+  std::array<float, 4> color{};
+  std::uint32_t bytes = 0;  ///< R, G, B, A from the lowest byte on
 };
 
 /// A picture's geometry, sorted into tiles, and where its pixels go.
@@ -64,6 +71,8 @@ struct Frame {
   float* color = nullptr;         ///< H x W x 4, or null
   std::uint8_t* bytes = nullptr;  ///< H x W x 4, or null
   const SrgbTable* srgb = nullptr;
+  std::uint8_t (*srgb_byte_of)(const SrgbTable& table, float linear) = nullptr;  ///< srgb_byte(), compiled outside the rows
+  StoredPixel background;                                                        ///< of a pixel that shows nothing else
 
   [[nodiscard]] TileArea area(std::size_t tile) const {
     const int x = static_cast<int>(tile) % tiles_x * tile_width;
@@ -126,14 +135,25 @@ struct TileScratch {
   alignas(64) std::array<std::int32_t, Cluster::kMaxVertices + kPadding> x{}, y{};
   alignas(64) std::array<float, Cluster::kMaxVertices + kPadding> key{};
 
-  // The fragments at hand. `order` sorts them by material, so that lanes share one.
-  alignas(64) std::array<std::uint32_t, kFragments + kPadding> fragment_record{}, fragment_order{};
-  alignas(64) std::array<std::int32_t, kFragments + kPadding> fragment_x{}, fragment_y{};  ///< where it is shaded, 1/256 pixel
-  std::array<std::uint8_t, kFragments + kPadding> fragment_samples{};                      ///< of its pixel that it covers
+  /// Fragments that wait for shading. They are sorted by material, so that lanes share one.
+  struct Fragments {
+    std::size_t count = 0;
+    alignas(64) std::array<std::uint32_t, kFragments + kPadding> record{};
+    alignas(64) std::array<std::int32_t, kFragments + kPadding> x{}, y{};  ///< where it is shaded, 1/256 pixel
+  };
+  Fragments whole;  ///< each is all of its pixel
+  Fragments parts;  ///< of pixels that show several, or the background, too; or whose layers are stored
+  std::array<std::uint32_t, kFragments + kPadding> part_place{};   ///< where sorting has put a part
+  std::array<std::uint8_t, kFragments + kPadding> part_samples{};  ///< of its pixel that it covers
   std::array<std::array<float, kFragments + kPadding>, outputs> output{};
-  std::vector<float> light_output;  ///< lights x 3 x (kFragments + kPadding), where layers of lights are stored
-  std::vector<std::uint32_t> class_begin;
+  std::vector<float> light_output;            ///< lights x 3 x (kFragments + kPadding), where layers of lights are stored
+  std::vector<std::uint32_t> material_begin;  ///< for sorting
   std::vector<Vec3f> light_parts;
+
+  std::vector<std::uint32_t> sorted_clusters;  ///< the tile's, the nearest first
+  static constexpr int kBlock = 8;             ///< pixels of a block's side
+  std::vector<float> block_farthest;           ///< the smallest depth key in each block; below 0: to be found again
+  std::size_t blocks_x = 0;
 
   double visibility_seconds = 0;
   double shading_seconds = 0;

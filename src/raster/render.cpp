@@ -101,6 +101,23 @@ void resize(AnyImage& image, const View& view, int channels) {
   image.pixels.resize(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height) * static_cast<std::size_t>(channels));
 }
 
+/// A pixel that shows the background alone, as reference/pixel.cpp sums it and image/store.cpp stores it.
+StoredPixel background_pixel(const PreparedScene& scene) {
+  Pixel pixel;
+  const std::array<float, 4>& b = scene.background;
+  pixel.background = {b[0], b[1], b[2]};
+  pixel.alpha = 0.0F + b[3];
+  StoredPixel stored;
+  stored.color = pixel.color();
+  Image one(1, 1, 4);
+  std::copy(stored.color.begin(), stored.color.end(), one.pixels.begin());
+  const ByteImage bytes = to_bytes(one, scene.transfer);
+  for (std::size_t i = 0; i < 4; ++i) {
+    stored.bytes |= static_cast<std::uint32_t>(bytes.pixels[i]) << (8 * i);
+  }
+  return stored;
+}
+
 /// The picture's tiles and where its pixels go.
 void lay_out(Frame& frame, const PreparedScene& scene, std::span<const Aov> aovs, const RenderOptions& options, Rendering& result) {
   const View& view = scene.view;
@@ -130,6 +147,8 @@ void lay_out(Frame& frame, const PreparedScene& scene, std::span<const Aov> aovs
   frame.color = options.store_color ? result.color.pixels.data() : nullptr;
   frame.bytes = options.store_bytes ? result.bytes.pixels.data() : nullptr;
   frame.srgb = scene.transfer == Transfer::srgb ? &srgb_table() : nullptr;
+  frame.srgb_byte_of = srgb_byte;
+  frame.background = background_pixel(scene);
 }
 
 Result<void> draw_tiles(Frame& frame, std::vector<std::unique_ptr<TileScratch>>& scratches, const Kernels& kernels, const RenderOptions& options,

@@ -9,17 +9,16 @@
 
 namespace lustro::HWY_NAMESPACE {
 
-/// A pixel with fragments waiting to be shaded.
+/// A pixel whose parts wait to be shaded.
 struct WaitingPixel {
   std::uint16_t x, y;  // within the tile
-  std::uint16_t first, fragments;
+  std::uint16_t first, parts;
 };
 
 struct Shader {
   const Frame& frame;
   TileScratch& s;
   TileArea area;
-  std::size_t fragments = 0;
   std::size_t pixels = 0;
   std::array<WaitingPixel, TileScratch::kFragments> waiting;
 };
@@ -36,23 +35,14 @@ HWY_INLINE bool covers_center(const Record& t, std::int32_t px, std::int32_t py)
   return true;
 }
 
-HWY_INLINE void add_fragment(Shader& shader, std::uint32_t record, std::int32_t px, std::int32_t py, std::size_t samples) {
-  TileScratch& s = shader.s;
-  s.fragment_record[shader.fragments] = record;
-  s.fragment_x[shader.fragments] = px;
-  s.fragment_y[shader.fragments] = py;
-  s.fragment_samples[shader.fragments] = static_cast<std::uint8_t>(samples);
-  ++shader.fragments;
-}
-
-/// The pixel's fragments, by their first sample.
-inline void collect(Shader& shader, int x, int y, std::size_t at) {
+/// A pixel that shows several triangles, or some of the background: its parts, by their first sample.
+inline HWY_NOINLINE void collect_parts(Shader& shader, int x, int y, std::size_t at) {
   const Frame& frame = shader.frame;
   TileScratch& s = shader.s;
   const std::int32_t px = x * kSubpixelUnits + kSubpixelUnits / 2;
   const std::int32_t py = y * kSubpixelUnits + kSubpixelUnits / 2;
   const std::size_t samples = frame.pattern.size();
-  const std::size_t first = shader.fragments;
+  const std::size_t first = s.parts.count;
   std::array<std::uint32_t, 16> shown;
   for (std::size_t i = 0; i < samples; ++i) {
     shown[i] = s.winner[i * s.plane + at];
@@ -71,79 +61,72 @@ inline void collect(Shader& shader, int x, int y, std::size_t at) {
     }
     // The centre lies between the samples: where all of them are covered it is, too.
     const bool at_center = count == samples || covers_center(s.records[record], px, py);
-    add_fragment(shader, record, at_center ? px : px + frame.pattern[i].x, at_center ? py : py + frame.pattern[i].y, count);
+    s.parts.record[s.parts.count] = record;
+    s.parts.x[s.parts.count] = at_center ? px : px + frame.pattern[i].x;
+    s.parts.y[s.parts.count] = at_center ? py : py + frame.pattern[i].y;
+    s.part_samples[s.parts.count] = static_cast<std::uint8_t>(count);
+    ++s.parts.count;
   }
   shader.waiting[shader.pixels++] = {static_cast<std::uint16_t>(x - shader.area.left), static_cast<std::uint16_t>(y - shader.area.top),
-                                     static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(shader.fragments - first)};
+                                     static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(s.parts.count - first)};
 }
 
-inline void shade_run(Shader& shader, std::uint32_t material, std::size_t begin, std::size_t end) {
-  const Frame& frame = shader.frame;
-  const Instance& instance = frame.scene->instances[frame.material_instance[material]];
-  for (std::size_t i = begin; i < end; i += kLanes) {
-    shade_batch(frame, shader.s, instance, frame.scene->materials[material], i, end - i < kLanes ? end - i : kLanes);
-  }
-}
-
-/// Sorts the fragments by material, so that lanes share one; fragment_order says where each went.
-inline void sort_by_material(Shader& shader) {
-  TileScratch& s = shader.s;
-  std::uint32_t* begin = s.class_begin.data();
-  const std::size_t materials = shader.frame.scene->materials.size();
+/// Sorts fragments by material, so that lanes share one. `place`, if not null, receives where each went.
+inline HWY_NOINLINE void sort_by_material(const Frame& frame, TileScratch& s, TileScratch::Fragments& fragments, std::uint32_t* place) {
+  std::uint32_t* begin = s.material_begin.data();
+  const std::size_t materials = frame.scene->materials.size();
   for (std::size_t m = 0; m <= materials; ++m) {
     begin[m] = 0;
   }
-  for (std::size_t i = 0; i < shader.fragments; ++i) {
-    ++begin[s.records[s.fragment_record[i]].material + 1];
+  alignas(64) std::array<std::uint32_t, TileScratch::kFragments> record;
+  alignas(64) std::array<std::int32_t, TileScratch::kFragments> x, y;
+  for (std::size_t i = 0; i < fragments.count; ++i) {
+    record[i] = fragments.record[i];
+    x[i] = fragments.x[i];
+    y[i] = fragments.y[i];
+    ++begin[s.records[record[i]].material + 1];
   }
   for (std::size_t m = 0; m < materials; ++m) {
     begin[m + 1] += begin[m];
   }
-  alignas(64) std::array<std::uint32_t, TileScratch::kFragments> record;
-  alignas(64) std::array<std::int32_t, TileScratch::kFragments> x, y;
-  for (std::size_t i = 0; i < shader.fragments; ++i) {
-    record[i] = s.fragment_record[i];
-    x[i] = s.fragment_x[i];
-    y[i] = s.fragment_y[i];
-  }
-  for (std::size_t i = 0; i < shader.fragments; ++i) {
-    const std::uint32_t place = begin[s.records[record[i]].material]++;
-    s.fragment_order[i] = place;
-    s.fragment_record[place] = record[i];
-    s.fragment_x[place] = x[i];
-    s.fragment_y[place] = y[i];
+  for (std::size_t i = 0; i < fragments.count; ++i) {
+    const std::uint32_t to = begin[s.records[record[i]].material]++;
+    fragments.record[to] = record[i];
+    fragments.x[to] = x[i];
+    fragments.y[to] = y[i];
+    if (place != nullptr) {
+      place[i] = to;
+    }
   }
 }
 
-inline void shade_all(Shader& shader) {
-  TileScratch& s = shader.s;
-  const std::size_t count = shader.fragments;
-  if (count == 0) {
-    return;
+/// Shades the fragments in runs of one material: shade(instance, material, begin, count).
+template <class Shade>
+HWY_INLINE void shade_runs(const Frame& frame, TileScratch& s, TileScratch::Fragments& fragments, std::uint32_t* place, Shade&& shade) {
+  const auto material_at = [&](std::size_t i) { return s.records[fragments.record[i]].material; };
+  bool is_uniform = true;
+  if (frame.scene->materials.size() > 1) {
+    for (std::size_t i = 1; i < fragments.count && is_uniform; ++i) {
+      is_uniform = material_at(i) == material_at(0);
+    }
   }
-  bool is_uniform = shader.frame.scene->materials.size() == 1;
   if (!is_uniform) {
-    const std::uint32_t material = s.records[s.fragment_record[0]].material;
-    is_uniform = true;
-    for (std::size_t i = 1; i < count && is_uniform; ++i) {
-      is_uniform = s.records[s.fragment_record[i]].material == material;
+    sort_by_material(frame, s, fragments, place);
+  } else if (place != nullptr) {
+    for (std::size_t i = 0; i < fragments.count; ++i) {
+      place[i] = static_cast<std::uint32_t>(i);
     }
   }
-  if (is_uniform) {
-    for (std::size_t i = 0; i < count; ++i) {
-      s.fragment_order[i] = static_cast<std::uint32_t>(i);
-    }
-    shade_run(shader, s.records[s.fragment_record[0]].material, 0, count);
-    return;
-  }
-  sort_by_material(shader);
-  for (std::size_t i = 0; i < count;) {
-    const std::uint32_t material = s.records[s.fragment_record[i]].material;
-    std::size_t end = i + 1;
-    while (end < count && s.records[s.fragment_record[end]].material == material) {
+  for (std::size_t i = 0; i < fragments.count;) {
+    const std::uint32_t material = material_at(i);
+    std::size_t end = is_uniform ? fragments.count : i + 1;
+    while (end < fragments.count && material_at(end) == material) {
       ++end;
     }
-    shade_run(shader, material, i, end);
+    const Instance& instance = frame.scene->instances[frame.material_instance[material]];
+    for (; i < end; i += kLanes) {
+      shade(instance, frame.scene->materials[material], i, end - i < kLanes ? end - i : kLanes);
+    }
     i = end;
   }
 }
@@ -152,7 +135,7 @@ HWY_INLINE Vec3f output_at(const TileScratch& s, std::size_t which, std::size_t 
   return {s.output[which][place], s.output[which + 1][place], s.output[which + 2][place]};
 }
 
-HWY_INLINE void store_color(const Frame& frame, int x, int y, const Vec3f& rgb, float alpha) {
+inline void store_color(const Frame& frame, int x, int y, const Vec3f& rgb, float alpha) {
   const std::size_t at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.scene->view.width) + static_cast<std::size_t>(x));
   if (frame.color != nullptr) {
     float* to = frame.color + at;
@@ -165,7 +148,7 @@ HWY_INLINE void store_color(const Frame& frame, int x, int y, const Vec3f& rgb, 
     const float divisor = alpha < 1.0F ? alpha : 1.0F;
     const auto stored = [&](float c) {
       const float color = alpha > 0.0F ? c / divisor : 0.0F;
-      return frame.srgb != nullptr ? srgb_byte(*frame.srgb, color) : quantize8(color);
+      return frame.srgb != nullptr ? frame.srgb_byte_of(*frame.srgb, color) : quantize8(color);
     };
     std::uint8_t* to = frame.bytes + at;
     to[0] = stored(rgb.x);
@@ -188,9 +171,9 @@ inline void resolve(const Shader& shader, const WaitingPixel& waiting) {
   }
   int covered = 0;
   int most = 0;
-  for (std::size_t i = waiting.first; i < static_cast<std::size_t>(waiting.first) + waiting.fragments; ++i) {
-    const std::size_t place = s.fragment_order[i];
-    const int count = s.fragment_samples[i];
+  for (std::size_t i = waiting.first; i < static_cast<std::size_t>(waiting.first) + waiting.parts; ++i) {
+    const std::size_t place = s.part_place[i];
+    const int count = s.part_samples[i];
     const float weight = static_cast<float>(count) / samples;
     pixel.terms.ambient += output_at(s, TileScratch::ambient, place) * weight;
     pixel.terms.diffuse += output_at(s, TileScratch::diffuse, place) * weight;
@@ -209,7 +192,7 @@ inline void resolve(const Shader& shader, const WaitingPixel& waiting) {
       }
       if (count > most) {
         most = count;
-        const Record& record = s.records[s.fragment_record[place]];
+        const Record& record = s.records[s.parts.record[place]];
         const Instance& instance = frame.scene->instances[frame.material_instance[record.material]];
         Fragment& f = pixel.dominant;
         f.position = output_at(s, TileScratch::position, place);
@@ -232,30 +215,107 @@ inline void resolve(const Shader& shader, const WaitingPixel& waiting) {
   if (frame.wants_all) {
     frame.store_layers(frame, pixel, s.light_parts, x, y);
   }
-  s.pixels_covered += waiting.fragments > 0 ? 1 : 0;
+  s.pixels_covered += waiting.parts > 0 ? 1 : 0;
 }
 
-inline void flush(Shader& shader) {
-  shade_all(shader);
+inline HWY_NOINLINE void flush_parts(Shader& shader) {
+  TileScratch& s = shader.s;
+  shade_runs(shader.frame, s, s.parts, s.part_place.data(),
+             [&](const Instance& instance, const ShadingMaterial& material, std::size_t begin, std::size_t count) {
+               shade_parts(shader.frame, s, instance, material, begin, count);
+             });
   for (std::size_t i = 0; i < shader.pixels; ++i) {
     resolve(shader, shader.waiting[i]);
   }
-  shader.fragments = 0;
+  s.parts.count = 0;
   shader.pixels = 0;
 }
 
+inline HWY_NOINLINE void flush_whole(const Frame& frame, TileScratch& s) {
+  shade_runs(frame, s, s.whole, nullptr, [&](const Instance& instance, const ShadingMaterial& material, std::size_t begin, std::size_t count) {
+    shade_whole(frame, s, instance, material, begin, count);
+  });
+  s.pixels_covered += s.whole.count;
+  s.whole.count = 0;
+}
+
+/// Pixels x .. x + count of row y show the background.
+HWY_INLINE void store_background(const Frame& frame, int x, int y, std::size_t count) {
+  const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.scene->view.width) + static_cast<std::size_t>(x);
+  if (frame.bytes != nullptr) {
+    for (std::size_t i = 0; i < count; ++i) {
+      std::memcpy(frame.bytes + 4 * (first + i), &frame.background.bytes, 4);
+    }
+  }
+  if (frame.color != nullptr) {
+    for (std::size_t i = 0; i < count; ++i) {
+      std::memcpy(frame.color + 4 * (first + i), frame.background.color.data(), sizeof frame.background.color);
+    }
+  }
+}
+
+/// kLanes pixels of a row from x on, of which `count` lie in the tile.
+HWY_INLINE void collect(Shader& shader, int x, int y, std::size_t at, std::size_t count) {
+  const Frame& frame = shader.frame;
+  TileScratch& s = shader.s;
+  const Mask in_tile = first_lanes(count);
+  const Int first = load(&s.winner[at]);
+  Mask is_empty = first < Int(0);
+  Mask is_whole = !is_empty;
+  for (std::size_t sample = 1; sample < frame.pattern.size(); ++sample) {
+    const Int shown = load(&s.winner[sample * s.plane + at]);
+    is_empty = is_empty & (shown < Int(0));
+    is_whole = is_whole & (shown == first);
+  }
+  is_empty = is_empty & in_tile;
+  is_whole = is_whole & in_tile;
+  if (any_of(is_empty)) {
+    store_background(frame, x, y, count);
+  }
+  if (any_of(is_whole)) {
+    TileScratch::Fragments& whole = s.whole;
+    const Int px = lane_numbers() * Int(kSubpixelUnits) + Int(x * kSubpixelUnits + kSubpixelUnits / 2);
+    store_chosen(is_whole, &whole.record[whole.count], first);
+    store_chosen(is_whole, &whole.x[whole.count], px);
+    store(&whole.y[whole.count], Int(y * kSubpixelUnits + kSubpixelUnits / 2));
+    whole.count += count_true(is_whole);
+    if (whole.count + kLanes > TileScratch::kFragments) {
+      flush_whole(frame, s);
+    }
+  }
+  for (std::uint32_t left = mask_bits(in_tile & !is_empty & !is_whole); left != 0; left &= left - 1) {
+    const int lane = __builtin_ctz(left);
+    collect_parts(shader, x + lane, y, at + static_cast<std::size_t>(lane));
+    if (s.parts.count + frame.pattern.size() > TileScratch::kFragments) {
+      flush_parts(shader);
+    }
+  }
+}
+
 inline void shade_tile(const Frame& frame, std::size_t tile, TileScratch& s) {
-  Shader shader{frame, s, frame.area(tile), 0, 0, {}};
-  for (int y = shader.area.top; y < shader.area.bottom; ++y) {
-    for (int x = shader.area.left; x < shader.area.right; ++x) {
-      const std::size_t at = static_cast<std::size_t>(y - shader.area.top) * s.stride + static_cast<std::size_t>(x - shader.area.left);
-      collect(shader, x, y, at);
-      if (shader.fragments + frame.pattern.size() > TileScratch::kFragments || shader.pixels == TileScratch::kFragments) {
-        flush(shader);
+  Shader shader{frame, s, frame.area(tile), 0, {}};
+  const TileArea& area = shader.area;
+  const bool is_empty = frame.cluster_lists.of(tile).empty() && frame.loose_lists.of(tile).empty();
+  for (int y = area.top; y < area.bottom; ++y) {
+    const std::size_t row = static_cast<std::size_t>(y - area.top) * s.stride;
+    if (frame.wants_all) {
+      for (int x = area.left; x < area.right; ++x) {
+        collect_parts(shader, x, y, row + static_cast<std::size_t>(x - area.left));
+        if (s.parts.count + frame.pattern.size() > TileScratch::kFragments || shader.pixels == TileScratch::kFragments) {
+          flush_parts(shader);
+        }
+      }
+    } else if (is_empty) {
+      store_background(frame, area.left, y, static_cast<std::size_t>(area.right - area.left));
+    } else {
+      for (int x = area.left; x < area.right; x += static_cast<int>(kLanes)) {
+        const auto rest = static_cast<std::size_t>(area.right - x);
+        collect(shader, x, y, row + static_cast<std::size_t>(x - area.left), rest < kLanes ? rest : kLanes);
       }
     }
   }
-  flush(shader);
+  flush_whole(frame, s);
+  flush_parts(shader);
 }
 
 }  // namespace lustro::HWY_NAMESPACE

@@ -4,6 +4,9 @@
 // fragment (reference/fragment.cpp), operation by operation.
 #pragma once
 
+#include <bit>
+#include <cstring>
+
 #include "raster/frame.hpp"
 #include "shade/interpolation.hpp"
 #include "simd/lanes.hpp"
@@ -256,18 +259,26 @@ inline Shaded shade_gouraud(const Faces& faces, const Weights<Float>& w, bool wa
   return sum;
 }
 
-/// Shades `count` fragments from `begin` on. Lanes beyond them calculate the first one again; what they store is stored over or never read.
-HWY_INLINE void shade_batch(const Frame& frame, TileScratch& s, const Instance& instance, const ShadingMaterial& material, std::size_t begin,
-                            std::size_t count) {
+/// kLanes fragments of one material, ready to be lit.
+struct Batch {
+  FragmentPlaces at;
+  Faces faces;
+  Vec3<Float> position;
+  Vec3<Float> normal;  // where it is asked for
+};
+
+/// `count` fragments from `begin` on. Lanes beyond them calculate the first one again.
+HWY_INLINE Batch make_batch(const Frame& frame, const TileScratch& s, const TileScratch::Fragments& fragments, const Instance& instance,
+                            const ShadingMaterial& material, std::size_t begin, std::size_t count) {
   const PreparedScene& scene = *frame.scene;
-  Int record = load(&s.fragment_record[begin]);
-  Int px = load(&s.fragment_x[begin]);
-  Int py = load(&s.fragment_y[begin]);
+  Int record = load(&fragments.record[begin]);
+  Int px = load(&fragments.x[begin]);
+  Int py = load(&fragments.y[begin]);
   if (count < kLanes) {
     const Mask is_used = first_lanes(count);
-    record = select(is_used, record, Int(static_cast<std::int32_t>(s.fragment_record[begin])));
-    px = select(is_used, px, Int(s.fragment_x[begin]));
-    py = select(is_used, py, Int(s.fragment_y[begin]));
+    record = select(is_used, record, Int(static_cast<std::int32_t>(fragments.record[begin])));
+    px = select(is_used, px, Int(fragments.x[begin]));
+    py = select(is_used, py, Int(fragments.y[begin]));
   }
   const FragmentPlaces at = locate(frame, s, record, px, py);
   const Int first_word = record << 4;
@@ -278,38 +289,57 @@ HWY_INLINE void shade_batch(const Frame& frame, TileScratch& s, const Instance& 
       material,
       {record_word(s, first_word, word_vertex), record_word(s, first_word, word_vertex + 1), record_word(s, first_word, word_vertex + 2)},
       scene.shading.two_sided ? select(is_back, Float(-1), Float(1)) : Float(1)};
-  const OutputSlot out{s, begin};
-  const Vec3<Float> position = scene.view.point_at(at.x, at.y, at.depth);
   Vec3<Float> normal{};
   if (scene.shading.interpolation == Interpolation::phong || frame.wants_all) {
     normal = scene.shading.interpolation == Interpolation::flat ? faces.face_normal() : faces.normal_at(scene.shading.normals, at.weights);
   }
+  return {at, faces, scene.view.point_at(at.x, at.y, at.depth), normal};
+}
+
+/// visit(i, part) sees every light's part where layers of lights are stored.
+template <class Visit>
+HWY_INLINE Shaded shade_phong(const Batch& batch, Visit&& visit) {
+  return evaluate(batch.faces, {batch.position, batch.normal, batch.faces.scene.view.to_eye_at(batch.at.x, batch.at.y)},
+                  batch.faces.tint(batch.at.weights), visit);
+}
+
+/// Dims the terms by the fog, and says what it adds.
+HWY_INLINE Vec3<Float> add_fog(const ShadingFog& fog, const Vec3<Float>& position, Shaded& shaded, Float& clear) {
+  clear = fog_factor(fog, length(position));
+  scale_terms(shaded.terms, Vec3<Float>{clear, clear, clear});
+  shaded.scene_part = shaded.scene_part * clear;
+  return vec_cast<Float>(fog.color) * (Float(1) - clear);
+}
+
+/// Parts of pixels: everything that is known of them goes into the outputs, at their places.
+HWY_INLINE void shade_parts(const Frame& frame, TileScratch& s, const Instance& instance, const ShadingMaterial& material, std::size_t begin,
+                            std::size_t count) {
+  const PreparedScene& scene = *frame.scene;
+  const Batch batch = make_batch(frame, s, s.parts, instance, material, begin, count);
+  const OutputSlot out{s, begin};
   for (std::size_t i = 0; frame.wants_lights && i < scene.lights.size(); ++i) {
     out.put_light(i, {});  // which is what a material brings that no light reaches
   }
   Shaded shaded;
   switch (scene.shading.interpolation) {
     case Interpolation::flat:
-      shaded = shade_flat(faces, frame.wants_lights, out);
+      shaded = shade_flat(batch.faces, frame.wants_lights, out);
       break;
     case Interpolation::gouraud:
-      shaded = shade_gouraud(faces, at.weights, frame.wants_lights, out);
+      shaded = shade_gouraud(batch.faces, batch.at.weights, frame.wants_lights, out);
       break;
     case Interpolation::phong:
-      shaded = evaluate(faces, {position, normal, scene.view.to_eye_at(at.x, at.y)}, faces.tint(at.weights),
-                        [&](std::size_t i, const Vec3<Float>& part) {
-                          if (frame.wants_lights) {
-                            out.put_light(i, part);
-                          }
-                        });
+      shaded = shade_phong(batch, [&](std::size_t i, const Vec3<Float>& part) {
+        if (frame.wants_lights) {
+          out.put_light(i, part);
+        }
+      });
       break;
   }
   Vec3<Float> fog{};
   if (scene.fog) {
-    const Float clear = fog_factor(*scene.fog, length(position));
-    scale_terms(shaded.terms, Vec3<Float>{clear, clear, clear});
-    shaded.scene_part = shaded.scene_part * clear;
-    fog = vec_cast<Float>(scene.fog->color) * (Float(1) - clear);
+    Float clear;
+    fog = add_fog(*scene.fog, batch.position, shaded, clear);
     for (std::size_t i = 0; frame.wants_lights && i < scene.lights.size(); ++i) {
       out.put_light(i, out.get_light(i) * clear);
     }
@@ -321,11 +351,89 @@ HWY_INLINE void shade_batch(const Frame& frame, TileScratch& s, const Instance& 
   out.put(TileScratch::fog, fog);
   if (frame.wants_all) {
     out.put(TileScratch::scene_part, shaded.scene_part);
-    out.put(TileScratch::albedo, vec_cast<Float>(material.albedo) * faces.tint(at.weights));
-    out.put(TileScratch::normal, normal);
-    out.put(TileScratch::position, position);
-    out.put(TileScratch::weights, Vec3<Float>{at.weights[0], at.weights[1], at.weights[2]});
-    out.put(TileScratch::depth, at.depth);
+    out.put(TileScratch::albedo, vec_cast<Float>(material.albedo) * batch.faces.tint(batch.at.weights));
+    out.put(TileScratch::normal, batch.normal);
+    out.put(TileScratch::position, batch.position);
+    out.put(TileScratch::weights, Vec3<Float>{batch.at.weights[0], batch.at.weights[1], batch.at.weights[2]});
+    out.put(TileScratch::depth, batch.at.depth);
+  }
+}
+
+/// image/store.cpp for lanes: the byte of a colour on an opaque pixel.
+HWY_INLINE Int stored_byte(const Frame& frame, Float color) {
+  if (frame.srgb == nullptr) {
+    return truncate(clamp01(color) * Float(255) + Float(0.5F));
+  }
+  const Float x = lane_min(lane_max(color, Float(std::bit_cast<float>(SrgbTable::kFirst))), Float(1));
+  const Int bits = bits_of(x);
+  const Int entry = gather(frame.srgb->entries.data(), (bits - Int(static_cast<std::int32_t>(SrgbTable::kFirst))) >> 16);
+  Int byte = (entry + (bits & Int(0xFFFF))) >> 16;
+  const Mask is_uneven = entry < Int(0);
+  if (HWY_UNLIKELY(any_of(is_uneven))) {
+    alignas(64) std::array<float, kLanes> colors;
+    alignas(64) std::array<std::int32_t, kLanes> bytes;
+    store(colors.data(), color);
+    store(bytes.data(), byte);
+    for (std::uint32_t left = mask_bits(is_uneven); left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::size_t>(__builtin_ctz(left));
+      bytes[lane] = frame.srgb_byte_of(*frame.srgb, colors[lane]);
+    }
+    byte = load(bytes.data());
+  }
+  return byte;
+}
+
+/// Fragments that are all of their pixels: lit, summed and stored.
+HWY_INLINE void shade_whole(const Frame& frame, TileScratch& s, const Instance& instance, const ShadingMaterial& material, std::size_t begin,
+                            std::size_t count) {
+  const PreparedScene& scene = *frame.scene;
+  const Batch batch = make_batch(frame, s, s.whole, instance, material, begin, count);
+  const OutputSlot no_output{s, 0};
+  Shaded shaded;
+  switch (scene.shading.interpolation) {
+    case Interpolation::flat:
+      shaded = shade_flat(batch.faces, false, no_output);
+      break;
+    case Interpolation::gouraud:
+      shaded = shade_gouraud(batch.faces, batch.at.weights, false, no_output);
+      break;
+    case Interpolation::phong:
+      shaded = shade_phong(batch, [](std::size_t, const Vec3<Float>&) {});
+      break;
+  }
+  Vec3<Float> fog{};
+  if (scene.fog) {
+    Float clear;
+    fog = add_fog(*scene.fog, batch.position, shaded, clear);
+  }
+  // As a pixel sums its parts: from 0 on, each weighted by 1; and 0 of the background.
+  const Vec3<Float> zero{};
+  const Terms<Float>& t = shaded.terms;
+  const Terms<Float> sums{zero + t.ambient, zero + t.diffuse, zero + t.specular, zero + t.emission};
+  const std::array<float, 4>& back = scene.background;
+  const Vec3<Float> rgb = (sums.sum() + (zero + fog)) + Vec3<Float>{Float(back[0] * 0.0F), Float(back[1] * 0.0F), Float(back[2] * 0.0F)};
+  const auto width = static_cast<std::size_t>(scene.view.width);
+  const auto pixel = [&](std::size_t lane) {
+    return static_cast<std::size_t>(s.whole.y[begin + lane] >> 8) * width + static_cast<std::size_t>(s.whole.x[begin + lane] >> 8);
+  };
+  if (frame.bytes != nullptr) {
+    alignas(64) std::array<std::uint32_t, kLanes> packed;
+    store(packed.data(), (stored_byte(frame, rgb.x) | stored_byte(frame, rgb.y) << 8) |
+                             (stored_byte(frame, rgb.z) << 16 | Int(static_cast<std::int32_t>(0xFF000000U))));
+    for (std::size_t i = 0; i < count; ++i) {
+      std::memcpy(frame.bytes + 4 * pixel(i), &packed[i], 4);
+    }
+  }
+  if (frame.color != nullptr) {
+    alignas(64) std::array<std::array<float, kLanes>, 3> channels;
+    store(channels[0].data(), rgb.x);
+    store(channels[1].data(), rgb.y);
+    store(channels[2].data(), rgb.z);
+    const float alpha = 1.0F + back[3] * 0.0F;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::array<float, 4> color{channels[0][i], channels[1][i], channels[2][i], alpha};
+      std::memcpy(frame.color + 4 * pixel(i), color.data(), sizeof color);
+    }
   }
 }
 

@@ -13,7 +13,9 @@ void TileScratch::fit(const Frame& frame) {
     depth_key.resize(samples);
     winner.resize(samples);
   }
-  class_begin.resize(std::max(class_begin.size(), frame.scene->materials.size() + 1));
+  material_begin.resize(std::max(material_begin.size(), frame.scene->materials.size() + 1));
+  blocks_x = static_cast<std::size_t>((frame.tile_width + kBlock - 1) / kBlock);
+  block_farthest.resize(std::max(block_farthest.size(), blocks_x * static_cast<std::size_t>((frame.tile_height + kBlock - 1) / kBlock)));
   if (frame.wants_lights) {
     light_output.resize(std::max(light_output.size(), frame.scene->lights.size() * 3 * (kFragments + kPadding)));
     light_parts.resize(frame.scene->lights.size());

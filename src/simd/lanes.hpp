@@ -106,6 +106,17 @@ HWY_INLINE Vec3<Float> gather(const Vec3f* p, Int index) {
   return {gather(f, i), gather(f, i + Int(1)), gather(f, i + Int(2))};
 }
 
+/// The lanes of a mask as bits, the first the lowest.
+HWY_INLINE std::uint32_t mask_bits(Mask m) {
+  alignas(8) std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(kFloats, m.m, bytes);
+  return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8;
+}
+HWY_INLINE std::size_t count_true(Mask m) { return hn::CountTrue(kFloats, m.m); }
+/// The lanes of a mask, one after the other; up to kLanes entries are written.
+HWY_INLINE void store_chosen(Mask m, std::int32_t* p, Int a) { hn::CompressStore(a.v, hn::RebindMask(kInts, m.m), kInts, p); }
+HWY_INLINE void store_chosen(Mask m, std::uint32_t* p, Int a) { store_chosen(m, reinterpret_cast<std::int32_t*>(p), a); }
+
 /// 0, 1, 2, ...
 HWY_INLINE Int lane_numbers() { return hn::Iota(kInts, 0); }
 /// The first `count` lanes.
