@@ -28,7 +28,7 @@ Interval transform(const float* row, const Vec3f& center, const Vec3f& extent) {
 struct Sight {
   enum class Kind : std::uint8_t { hidden, whole, loose } kind = Kind::hidden;
   std::uint16_t left = 0, top = 0, right = 0, bottom = 0;  // tiles, bounds included
-  float nearest = 0;
+  VisibleCluster cluster;
 };
 
 Sight look_at(const Frame& frame, const Instance& instance, const Cluster& cluster) {
@@ -60,7 +60,8 @@ Sight look_at(const Frame& frame, const Instance& instance, const Cluster& clust
     if (px.low > -kGuardBand && px.high < kGuardBand && py.low > -kGuardBand && py.high < kGuardBand) {
       sight.kind = Sight::Kind::whole;
     }
-    sight.nearest = is_perspective ? widest * 1.0001F : (view.depth_far - depth.low) / (view.depth_far - view.depth_near) * 1.0001F + 1e-6F;
+    sight.cluster.nearest =
+        is_perspective ? widest * 1.0001F : (view.depth_far - depth.low) / (view.depth_far - view.depth_near) * 1.0001F + 1e-6F;
   }
   const auto tile = [](float pixels, int size, int tiles) {
     return static_cast<int>(std::clamp(std::floor(pixels / static_cast<float>(size)), 0.0F, static_cast<float>(tiles - 1)));
@@ -74,6 +75,11 @@ Sight look_at(const Frame& frame, const Instance& instance, const Cluster& clust
       (right < 0 || bottom < 0 || left > static_cast<float>(view.width) || top > static_cast<float>(view.height))) {
     return {};
   }
+  const auto pixel = [](float v, int size) { return static_cast<std::int16_t>(std::clamp(std::floor(v), 0.0F, static_cast<float>(size - 1))); };
+  sight.cluster.left = pixel(left, view.width);
+  sight.cluster.right = pixel(right, view.width);
+  sight.cluster.top = pixel(top, view.height);
+  sight.cluster.bottom = pixel(bottom, view.height);
   sight.left = static_cast<std::uint16_t>(tile(left, frame.tile_width, frame.tiles_x));
   sight.right = static_cast<std::uint16_t>(tile(right, frame.tile_width, frame.tiles_x));
   sight.top = static_cast<std::uint16_t>(tile(top, frame.tile_height, frame.tiles_y));
@@ -152,7 +158,9 @@ void sort_into_tiles(Frame& frame, int threads) {
       const Cluster& cluster = clusters.clusters[c];
       const Sight sight = look_at(frame, instance, cluster);
       if (sight.kind == Sight::Kind::whole) {
-        seen[j].clusters.push_back({jobs[j].instance, c, sight.nearest});
+        seen[j].clusters.push_back(sight.cluster);
+        seen[j].clusters.back().instance = jobs[j].instance;
+        seen[j].clusters.back().cluster = c;
         seen[j].sights.push_back(sight);
       } else if (sight.kind == Sight::Kind::loose) {
         for (std::uint32_t t = 0; t < cluster.triangles; ++t) {

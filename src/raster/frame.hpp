@@ -152,7 +152,7 @@ struct TileScratch {
 
   std::vector<std::uint32_t> sorted_clusters;  ///< the tile's, the nearest first
   static constexpr int kBlock = 8;             ///< pixels of a block's side
-  std::vector<float> block_farthest;           ///< the smallest depth key in each block; below 0: to be found again
+  std::vector<float> block_farthest;           ///< the smallest depth key in each block; -1: nothing drawn yet; below: to be found again
   std::size_t blocks_x = 0;
 
   double visibility_seconds = 0;
@@ -161,6 +161,8 @@ struct TileScratch {
 
   /// Room for tiles of this frame. Allocates only where the last frame was smaller.
   void fit(const Frame& frame);
+  /// Room for so many clusters of a tile.
+  void grow_sorted(std::size_t count);
   /// At least one more record.
   void grow_records();
 };

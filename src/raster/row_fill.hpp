@@ -236,16 +236,158 @@ HWY_INLINE void project_vertices(const Frame& frame, TileScratch& s, const Insta
   }
 }
 
-/// The cluster's triangles, kLanes at a time: those that cannot hold a sample are dropped, the others are filled one by one.
-HWY_INLINE void fill_triangles(const Canvas& c, const Instance& instance, const Cluster& cluster) {
-  TileScratch& s = c.scratch;
-  const Frame& frame = c.frame;
-  const Clusters& clusters = instance.drawable->clusters;
-  const std::uint32_t* corners = clusters.corners.data() + cluster.first_triangle;
+/// kLanes triangles of a cluster, corner by corner, as they came out of setup.
+struct TriangleLanes {
   alignas(64) std::array<std::array<std::int32_t, kLanes>, 3> x, y, local;
   alignas(64) std::array<std::array<float, kLanes>, 3> key;
   alignas(64) std::array<float, kLanes> inverse_area;
   alignas(64) std::array<std::int32_t, kLanes> left, top, right, bottom, flags;
+};
+
+/// Where kLanes triangles come from.
+struct TriangleSource {
+  const Instance& instance;
+  const Cluster& cluster;
+  std::size_t first;  // of the lanes, within the cluster
+
+  [[nodiscard]] std::uint32_t in_mesh(std::size_t lane) const {
+    return instance.drawable->clusters.triangle_at(cluster.first_triangle + static_cast<std::uint32_t>(first + lane));
+  }
+};
+
+/// The geometry of one of the lanes, as the next record.
+HWY_INLINE Record& begin_record(TileScratch& s, const TriangleLanes& lanes, const TriangleSource& source, std::size_t i) {
+  Record& t = next_record(s);
+  for (std::size_t k = 0; k < 3; ++k) {
+    t.x[k] = lanes.x[k][i];
+    t.y[k] = lanes.y[k][i];
+    t.key[k] = lanes.key[k][i];
+  }
+  t.inverse_area = lanes.inverse_area[i];
+  t.flags = static_cast<std::uint32_t>(lanes.flags[i]);
+  t.id = source.instance.first_triangle + source.in_mesh(i);
+  return t;
+}
+
+/// What shading asks for beside it, for a record that is kept.
+HWY_INLINE void keep_record(TileScratch& s, Record& t, const TriangleLanes& lanes, const TriangleSource& source, std::size_t i) {
+  const std::uint32_t* vertices = source.instance.drawable->clusters.vertices.data() + source.cluster.first_vertex;
+  for (std::size_t k = 0; k < 3; ++k) {
+    t.vertex[k] = vertices[lanes.local[k][i]];
+  }
+  t.material = source.instance.material_of(t.id - source.instance.first_triangle);
+  ++s.record_count;
+}
+
+/// Triangles of at most 2 x 2 pixels, one a lane: every lane looks at its own pixels. What it finds is merged lane by lane.
+struct TinyTriangles {
+  Int x0, y0, x1, y1, x2, y2;  // after the swap
+  Float key0, key1, key2, inverse_area;
+  Int left, top, right, bottom;
+};
+HWY_INLINE void fill_tiny(const Canvas& c, const TinyTriangles& t, Mask chosen, const TriangleLanes& lanes, const TriangleSource& source) {
+  TileScratch& s = c.scratch;
+  const Float slope1 = (t.key1 - t.key0) * t.inverse_area;
+  const Float slope2 = (t.key2 - t.key0) * t.inverse_area;
+  const Int dx0 = t.x2 - t.x1, dy0 = t.y2 - t.y1;
+  const Int dx1 = t.x0 - t.x2, dy1 = t.y0 - t.y2;
+  const Int dx2 = t.x1 - t.x0, dy2 = t.y1 - t.y0;
+  const auto bias_of = [](Int dx, Int dy) {  // edge_bias()
+    return select((dy < Int(0)) | ((dy == Int(0)) & (dx > Int(0))), Int(0), Int(-1));
+  };
+  const Int bias0 = bias_of(dx0, dy0), bias1 = bias_of(dx1, dy1), bias2 = bias_of(dx2, dy2);
+  const Int at = (t.top - Int(c.area.top)) * Int(static_cast<std::int32_t>(s.stride)) + (t.left - Int(c.area.left));
+  const Float farthest(c.frame.farthest);
+  const Mask is_wide = t.right > t.left;
+  const Mask is_high = t.bottom > t.top;
+  std::array<std::uint32_t, kLanes> records;
+  std::uint32_t has_record = 0;
+  for (std::size_t sample = 0; sample < c.frame.pattern.size(); ++sample) {
+    const Int px = t.left * Int(kSubpixelUnits) + Int(kSubpixelUnits / 2 + c.frame.pattern[sample].x);
+    const Int py = t.top * Int(kSubpixelUnits) + Int(kSubpixelUnits / 2 + c.frame.pattern[sample].y);
+    const Int first0 = dx0 * (py - t.y1) - dy0 * (px - t.x1);
+    const Int first1 = dx1 * (py - t.y2) - dy1 * (px - t.x2);
+    const Int first2 = dx2 * (py - t.y0) - dy2 * (px - t.x0);
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      Mask here = chosen;
+      Int e0 = first0, e1 = first1, e2 = first2;
+      if ((quarter & 1) != 0) {
+        here = here & is_wide;
+        e0 = e0 - (dy0 << 8);
+        e1 = e1 - (dy1 << 8);
+        e2 = e2 - (dy2 << 8);
+      }
+      if ((quarter & 2) != 0) {
+        here = here & is_high;
+        e0 = e0 + (dx0 << 8);
+        e1 = e1 + (dx1 << 8);
+        e2 = e2 + (dx2 << 8);
+      }
+      const Float key = (t.key0 + slope1 * to_float(e1)) + slope2 * to_float(e2);
+      here = here & !(((e0 + bias0) | (e1 + bias1) | (e2 + bias2)) < Int(0)) & (key >= farthest);
+      std::uint32_t left = mask_bits(here);
+      if (left == 0) {
+        continue;
+      }
+      alignas(64) std::array<float, kLanes> keys;
+      alignas(64) std::array<std::int32_t, kLanes> places;
+      store(keys.data(), key);
+      store(places.data(), at + Int(static_cast<std::int32_t>(sample * s.plane) + ((quarter & 1) != 0 ? 1 : 0)) +
+                               Int((quarter & 2) != 0 ? static_cast<std::int32_t>(s.stride) : 0));
+      for (; left != 0; left &= left - 1) {
+        const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+        const auto place = static_cast<std::size_t>(places[i]);
+        const float old = s.depth_key[place];
+        if (keys[i] < old) {
+          continue;
+        }
+        if (keys[i] == old && s.records[s.winner[place]].id < source.instance.first_triangle + source.in_mesh(i)) {
+          continue;
+        }
+        if ((has_record >> i & 1) == 0) {
+          has_record |= 1U << i;
+          records[i] = static_cast<std::uint32_t>(s.record_count);
+          keep_record(s, begin_record(s, lanes, source, i), lanes, source, i);
+        }
+        s.depth_key[place] = keys[i];
+        s.winner[place] = records[i];
+      }
+    }
+  }
+}
+
+/// One of the lanes on its own.
+HWY_INLINE void fill_one(const Canvas& c, const TriangleLanes& lanes, const TriangleSource& source, std::size_t i) {
+  TileScratch& s = c.scratch;
+  Record& t = begin_record(s, lanes, source, i);
+  const bool is_small = (t.flags & Record::kSmall) != 0;
+  if (!is_small) {  // its area does not fit 32 bits: once more, from the vertices
+    for (std::size_t k = 1; k < 3; ++k) {
+      const auto vertex = static_cast<std::size_t>(lanes.local[k][i]);
+      t.x[k] = s.x[vertex];
+      t.y[k] = s.y[vertex];
+      t.key[k] = s.key[vertex];
+    }
+    if (!orient(t, source.instance.is_mirrored)) {
+      return;
+    }
+  }
+  const auto record = static_cast<std::uint32_t>(s.record_count);
+  const PixelRange range{lanes.left[i], lanes.top[i], lanes.right[i], lanes.bottom[i]};
+  if (is_small ? fill_small(c, t, record, range) : fill_large(c, t, record, range)) {
+    keep_record(s, t, lanes, source, i);
+  }
+}
+
+/// The cluster's triangles, kLanes at a time: those that cannot hold a sample are dropped, the others are filled.
+HWY_INLINE void fill_triangles(const Canvas& c, const Instance& instance, const Cluster& cluster) {
+  TileScratch& s = c.scratch;
+  const Frame& frame = c.frame;
+  const std::uint32_t* corners = instance.drawable->clusters.corners.data() + cluster.first_triangle;
+  constexpr std::int32_t kCenter = kSubpixelUnits / 2;
+  const Int to_first_x(kSubpixelUnits - 1 - kCenter - frame.highest.x), to_first_y(kSubpixelUnits - 1 - kCenter - frame.highest.y);
+  const Int to_last_x(kCenter + frame.lowest.x), to_last_y(kCenter + frame.lowest.y);
+  TriangleLanes lanes;
 
   for (std::size_t begin = 0; begin < cluster.triangles; begin += kLanes) {
     const Int packed = load(corners + begin);
@@ -256,78 +398,64 @@ HWY_INLINE void fill_triangles(const Canvas& c, const Instance& instance, const 
     const Int y0 = gather(s.y.data(), i0), y1 = gather(s.y.data(), i1), y2 = gather(s.y.data(), i2);
     const Int lowest_x = lane_min(lane_min(x0, x1), x2), highest_x = lane_max(lane_max(x0, x1), x2);
     const Int lowest_y = lane_min(lane_min(y0, y1), y2), highest_y = lane_max(lane_max(y0, y1), y2);
-    constexpr std::int32_t kCenter = kSubpixelUnits / 2;
-    const Int first_x = lane_max((lowest_x + Int(kSubpixelUnits - 1 - kCenter - frame.highest.x)) >> 8, Int(c.area.left));
-    const Int first_y = lane_max((lowest_y + Int(kSubpixelUnits - 1 - kCenter - frame.highest.y)) >> 8, Int(c.area.top));
-    const Int last_x = lane_min((highest_x - Int(kCenter + frame.lowest.x)) >> 8, Int(c.area.right - 1));
-    const Int last_y = lane_min((highest_y - Int(kCenter + frame.lowest.y)) >> 8, Int(c.area.bottom - 1));
-    const Mask is_small = lane_max(highest_x - lowest_x, highest_y - lowest_y) < Int(kSmallExtent);
-    const Int area2 = (x1 - x0) * (y2 - y0) - (y1 - y0) * (x2 - x0);  // of the small ones
-    Mask stays = first_lanes(cluster.triangles - begin) & !(first_x > last_x) & !(first_y > last_y) & !(is_small & (area2 == Int(0)));
+    const Int left = lane_max((lowest_x + to_first_x) >> 8, Int(c.area.left));
+    const Int top = lane_max((lowest_y + to_first_y) >> 8, Int(c.area.top));
+    const Int right = lane_min((highest_x - to_last_x) >> 8, Int(c.area.right - 1));
+    const Int bottom = lane_min((highest_y - to_last_y) >> 8, Int(c.area.bottom - 1));
+    Mask stays = first_lanes(cluster.triangles - begin) & !(left > right) & !(top > bottom);
     if (!any_of(stays)) {
       continue;
     }
+    const Mask is_small = lane_max(highest_x - lowest_x, highest_y - lowest_y) < Int(kSmallExtent);
+    const Int area2 = (x1 - x0) * (y2 - y0) - (y1 - y0) * (x2 - x0);  // of the small ones
+    stays = stays & !(is_small & (area2 == Int(0)));
     const Mask is_swapped = area2 < Int(0);
-    store(x[0].data(), x0);
-    store(x[1].data(), select(is_swapped, x2, x1));
-    store(x[2].data(), select(is_swapped, x1, x2));
-    store(y[0].data(), y0);
-    store(y[1].data(), select(is_swapped, y2, y1));
-    store(y[2].data(), select(is_swapped, y1, y2));
-    const Float key1 = gather(s.key.data(), i1), key2 = gather(s.key.data(), i2);
-    store(key[0].data(), gather(s.key.data(), i0));
-    store(key[1].data(), select(is_swapped, key2, key1));
-    store(key[2].data(), select(is_swapped, key1, key2));
-    store(inverse_area.data(), Float(1) / to_float(select(is_swapped, Int(0) - area2, area2)));
-    store(left.data(), first_x);
-    store(top.data(), first_y);
-    store(right.data(), last_x);
-    store(bottom.data(), last_y);
-    store(local[0].data(), i0);
-    store(local[1].data(), i1);
-    store(local[2].data(), i2);
+    const Float stated_key1 = gather(s.key.data(), i1), stated_key2 = gather(s.key.data(), i2);
+    const TinyTriangles tiny{x0,
+                             y0,
+                             select(is_swapped, x2, x1),
+                             select(is_swapped, y2, y1),
+                             select(is_swapped, x1, x2),
+                             select(is_swapped, y1, y2),
+                             gather(s.key.data(), i0),
+                             select(is_swapped, stated_key2, stated_key1),
+                             select(is_swapped, stated_key1, stated_key2),
+                             Float(1) / to_float(select(is_swapped, Int(0) - area2, area2)),
+                             left,
+                             top,
+                             right,
+                             bottom};
+    store(lanes.x[0].data(), tiny.x0);
+    store(lanes.x[1].data(), tiny.x1);
+    store(lanes.x[2].data(), tiny.x2);
+    store(lanes.y[0].data(), tiny.y0);
+    store(lanes.y[1].data(), tiny.y1);
+    store(lanes.y[2].data(), tiny.y2);
+    store(lanes.key[0].data(), tiny.key0);
+    store(lanes.key[1].data(), tiny.key1);
+    store(lanes.key[2].data(), tiny.key2);
+    store(lanes.inverse_area.data(), tiny.inverse_area);
+    store(lanes.local[0].data(), i0);
+    store(lanes.local[1].data(), i1);
+    store(lanes.local[2].data(), i2);
     const Int swapped_flag = select(is_swapped, Int(Record::kSwapped), Int(0));
     // Counter-clockwise with y up is a negative area with y down.
     const Int back_flag = select(is_swapped, Int(instance.is_mirrored ? Record::kBack : 0), Int(instance.is_mirrored ? 0 : Record::kBack));
-    store(flags.data(), (swapped_flag | back_flag) | select(is_small, Int(Record::kSmall), Int(0)));
+    store(lanes.flags.data(), (swapped_flag | back_flag) | select(is_small, Int(Record::kSmall), Int(0)));
 
-    alignas(64) std::array<std::uint32_t, kLanes> chosen{};
-    store_where(stays, chosen.data(), Int(1));
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      if (chosen[i] == 0) {
-        continue;
-      }
-      Record& t = next_record(s);
-      for (std::size_t k = 0; k < 3; ++k) {
-        t.x[k] = x[k][i];
-        t.y[k] = y[k][i];
-        t.key[k] = key[k][i];
-      }
-      t.inverse_area = inverse_area[i];
-      t.flags = static_cast<std::uint32_t>(flags[i]);
-      const auto in_mesh =
-          clusters.triangles.empty() ? cluster.first_triangle + begin + i : clusters.triangles[cluster.first_triangle + begin + i];
-      t.id = instance.first_triangle + static_cast<std::uint32_t>(in_mesh);
-      if ((t.flags & Record::kSmall) == 0) {  // its area does not fit 32 bits: once more, from the vertices
-        for (std::size_t k = 1; k < 3; ++k) {
-          const auto vertex = static_cast<std::size_t>(local[k][i]);
-          t.x[k] = s.x[vertex];
-          t.y[k] = s.y[vertex];
-          t.key[k] = s.key[vertex];
-        }
-        if (!orient(t, instance.is_mirrored)) {
-          continue;
-        }
-      }
-      const auto record = static_cast<std::uint32_t>(s.record_count);
-      const PixelRange range{left[i], top[i], right[i], bottom[i]};
-      if ((t.flags & Record::kSmall) != 0 ? fill_small(c, t, record, range) : fill_large(c, t, record, range)) {
-        const std::uint32_t* vertices = clusters.vertices.data() + cluster.first_vertex;
-        for (std::size_t k = 0; k < 3; ++k) {
-          t.vertex[k] = vertices[local[k][i]];
-        }
-        t.material = instance.material_of(static_cast<std::uint32_t>(in_mesh));
-        ++s.record_count;
+    const TriangleSource source{instance, cluster, begin};
+    const Mask is_tiny = stays & is_small & (right - left < Int(2)) & (bottom - top < Int(2));
+    if (any_of(is_tiny)) {
+      fill_tiny(c, tiny, is_tiny, lanes, source);
+    }
+    std::uint32_t rest = mask_bits(stays & !is_tiny);
+    if (rest != 0) {
+      store(lanes.left.data(), left);
+      store(lanes.top.data(), top);
+      store(lanes.right.data(), right);
+      store(lanes.bottom.data(), bottom);
+      for (; rest != 0; rest &= rest - 1) {
+        fill_one(c, lanes, source, static_cast<std::size_t>(__builtin_ctz(rest)));
       }
     }
   }
@@ -368,9 +496,95 @@ inline void fill_loose(const Canvas& c, std::uint32_t index) {
   }
 }
 
+/// The smallest depth key in a block of the tile, over all samples: what lies wholly behind it is not seen.
+inline HWY_NOINLINE float find_farthest(const Canvas& c, std::size_t block_x, std::size_t block_y) {
+  const TileScratch& s = c.scratch;
+  constexpr auto kBlock = static_cast<std::size_t>(TileScratch::kBlock);
+  const auto rows = static_cast<std::size_t>(c.area.bottom - c.area.top);
+  const auto columns = static_cast<std::size_t>(c.area.right - c.area.left);
+  const std::size_t end_y = (block_y + 1) * kBlock < rows ? (block_y + 1) * kBlock : rows;
+  const std::size_t end_x = (block_x + 1) * kBlock < columns ? (block_x + 1) * kBlock : columns;
+  float farthest = 3e38F;
+  for (std::size_t sample = 0; sample < c.frame.pattern.size(); ++sample) {
+    for (std::size_t y = block_y * kBlock; y < end_y; ++y) {
+      const float* row = &s.depth_key[sample * s.plane + y * s.stride];
+      for (std::size_t x = block_x * kBlock; x < end_x; ++x) {
+        farthest = row[x] < farthest ? row[x] : farthest;
+      }
+    }
+  }
+  return farthest;
+}
+
+/// The blocks that a cluster may touch.
+struct BlockRange {
+  std::size_t left, top, right, bottom;  // bounds included
+};
+HWY_INLINE BlockRange blocks_of(const Canvas& c, const VisibleCluster& cluster) {
+  const auto block = [](int pixel, int low, int high) {
+    const int inside = pixel < low ? low : (pixel >= high ? high - 1 : pixel);
+    return static_cast<std::size_t>((inside - low) / TileScratch::kBlock);
+  };
+  return {block(cluster.left, c.area.left, c.area.right), block(cluster.top, c.area.top, c.area.bottom),
+          block(cluster.right, c.area.left, c.area.right), block(cluster.bottom, c.area.top, c.area.bottom)};
+}
+
+/// Whether everything in the cluster's blocks is nearer than the cluster can be. An equally near triangle may win by its number.
+HWY_INLINE bool is_hidden(const Canvas& c, const VisibleCluster& cluster, const BlockRange& range) {
+  TileScratch& s = c.scratch;
+  for (std::size_t y = range.top; y <= range.bottom; ++y) {
+    for (std::size_t x = range.left; x <= range.right; ++x) {
+      float& farthest = s.block_farthest[y * s.blocks_x + x];
+      if (farthest < -1) {
+        farthest = find_farthest(c, x, y);
+      }
+      if (!(farthest > cluster.nearest)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// The tile's clusters, roughly the nearest first, so that they hide the others: sorted into buckets by depth key.
+inline HWY_NOINLINE std::span<const std::uint32_t> sort_clusters(const Frame& frame, std::span<const std::uint32_t> list, TileScratch& s) {
+  constexpr std::size_t kBuckets = 64;
+  float low = 3e38F;
+  float high = 0;
+  for (const std::uint32_t entry : list) {
+    const float nearest = frame.clusters[entry].nearest;
+    low = nearest < low ? nearest : low;
+    high = nearest > high ? nearest : high;
+  }
+  const float scale = high > low ? static_cast<float>(kBuckets - 1) / (high - low) : 0;
+  const auto bucket_of = [&](std::uint32_t entry) {
+    const float place = (high - frame.clusters[entry].nearest) * scale;
+    return place > 0 && place < static_cast<float>(kBuckets) ? static_cast<std::size_t>(place) : 0;
+  };
+  std::array<std::uint32_t, kBuckets + 1> begin{};
+  for (const std::uint32_t entry : list) {
+    ++begin[bucket_of(entry) + 1];
+  }
+  for (std::size_t i = 0; i < kBuckets; ++i) {
+    begin[i + 1] += begin[i];
+  }
+  if (s.sorted_clusters.size() < list.size()) {
+    s.grow_sorted(list.size());
+  }
+  for (const std::uint32_t entry : list) {
+    s.sorted_clusters[begin[bucket_of(entry)]++] = entry;
+  }
+  return std::span<const std::uint32_t>(s.sorted_clusters).first(list.size());
+}
+
 inline void fill_tile(const Frame& frame, std::size_t tile, TileScratch& s) {
   const Canvas c{frame, s, frame.area(tile)};
+  const std::span<const std::uint32_t> clusters = frame.cluster_lists.of(tile);
+  const std::span<const std::uint32_t> loose = frame.loose_lists.of(tile);
   s.record_count = 0;
+  if (clusters.empty() && loose.empty() && !frame.wants_all) {
+    return;  // shade_tile() does not look at it
+  }
   const std::size_t rows = static_cast<std::size_t>(c.area.bottom - c.area.top) * s.stride;
   for (std::size_t sample = 0; sample < frame.pattern.size(); ++sample) {
     for (std::size_t i = 0; i < rows; i += kLanes) {  // a key is never below 0
@@ -378,15 +592,32 @@ inline void fill_tile(const Frame& frame, std::size_t tile, TileScratch& s) {
       store(&s.winner[sample * s.plane + i], Int(-1));
     }
   }
-  for (const std::uint32_t entry : frame.cluster_lists.of(tile)) {
+  for (float& farthest : s.block_farthest) {
+    farthest = -1;
+  }
+  for (const std::uint32_t entry : loose) {
+    fill_loose(c, entry);
+  }
+  if (!loose.empty()) {
+    for (float& farthest : s.block_farthest) {
+      farthest = -2;
+    }
+  }
+  for (const std::uint32_t entry : sort_clusters(frame, clusters, s)) {
     const VisibleCluster& visible = frame.clusters[entry];
+    const BlockRange blocks = blocks_of(c, visible);
+    if (is_hidden(c, visible, blocks)) {
+      continue;
+    }
     const Instance& instance = frame.scene->instances[visible.instance];
     const Cluster& cluster = instance.drawable->clusters.clusters[visible.cluster];
     project_vertices(frame, s, instance, cluster);
     fill_triangles(c, instance, cluster);
-  }
-  for (const std::uint32_t entry : frame.loose_lists.of(tile)) {
-    fill_loose(c, entry);
+    for (std::size_t y = blocks.top; y <= blocks.bottom; ++y) {
+      for (std::size_t x = blocks.left; x <= blocks.right; ++x) {
+        s.block_farthest[y * s.blocks_x + x] = -2;
+      }
+    }
   }
 }
 

@@ -25,6 +25,10 @@ void TileScratch::fit(const Frame& frame) {
   pixels_covered = 0;
 }
 
+void TileScratch::grow_sorted(std::size_t count) {
+  sorted_clusters.resize(std::max(count, sorted_clusters.size() * 2));
+}
+
 void TileScratch::grow_records() {
   records.resize(std::max<std::size_t>(4096, records.size() * 2));
 }
