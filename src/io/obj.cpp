@@ -54,6 +54,7 @@ class ObjReader {
 
  private:
   bool read_lines(const char* begin, const char* end, std::size_t line);
+  void reserve();
   bool take_part(const ObjPart& part);
   [[nodiscard]] std::array<std::int64_t, 3> records_before(const ObjPiece& piece) const;
   [[nodiscard]] bool can_take(const ObjPiece& piece) const;
@@ -119,28 +120,54 @@ class ObjReader {
 };
 
 Result<SourceMesh> ObjReader::read(int threads, std::size_t part_bytes) {
-  std::vector<ObjPart> parts(std::min(bytes_.size() / part_bytes, 4 * thread_count(threads)) + 1);
-  std::vector<const char*> ends(parts.size());
+  reserve();
+  // While some threads read a batch of parts, one takes over the batch before it.
+  const std::size_t batch = std::min(bytes_.size() / part_bytes, 4 * thread_count(threads)) + 1;
+  std::vector<ObjPart> parts(batch);
+  std::vector<ObjPart> read_parts(batch);
+  std::vector<const char*> ends(batch);
   const char* const end = bytes_.data() + bytes_.size();
-  // Behind a byte order mark.
-  for (const char* begin = text_.here(); begin != end;) {
+  const char* begin = text_.here();  // behind a byte order mark
+  std::size_t read_count = 0;
+  bool is_good = true;
+  while (is_good && (begin != end || read_count != 0)) {
     std::size_t count = 0;
-    for (const char* at = begin; at != end && count < parts.size(); ++count) {
+    for (const char* at = begin; at != end && count < batch; ++count) {
       at = ends[count] = end_of_obj_part(bytes_, at, part_bytes);
     }
-    parallel_for(count, threads, [&](std::size_t i) { read_obj_part(bytes_, i == 0 ? begin : ends[i - 1], ends[i], parts[i]); });
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!take_part(parts[i])) {
-        return tl::unexpected(std::move(*error_));
+    parallel_for(count + 1, threads, [&](std::size_t i) {
+      if (i == 0) {
+        for (std::size_t k = 0; k < read_count && is_good; ++k) {
+          is_good = take_part(read_parts[k]);
+        }
+      } else {
+        read_obj_part(bytes_, i == 1 ? begin : ends[i - 2], ends[i - 1], parts[i - 1]);
       }
-    }
-    begin = ends[count - 1];
+    });
+    std::swap(parts, read_parts);
+    begin = count == 0 ? end : ends[count - 1];
+    read_count = count;
+  }
+  if (!is_good) {
+    return tl::unexpected(std::move(*error_));
   }
   std::vector<ObjPart>().swap(parts);
+  std::vector<ObjPart>().swap(read_parts);
   if (!finish()) {
     return tl::unexpected(std::move(*error_));
   }
   return std::move(mesh_);
+}
+
+void ObjReader::reserve() {
+  const ObjEstimate estimate = estimate_obj(bytes_);
+  reserve_big(mesh_.positions, estimate.positions);
+  reserve_big(mesh_.uvs, estimate.uvs);
+  reserve_big(mesh_.normals, estimate.normals);
+  reserve_big(mesh_.face_begin, estimate.faces);
+  reserve_big(mesh_.corner_position, estimate.corners);
+  reserve_big(mesh_.corner_uv, estimate.names_uvs ? estimate.corners : 0);
+  reserve_big(mesh_.corner_normal, estimate.names_normals ? estimate.corners : 0);
 }
 
 Result<SourceMesh> ObjReader::read_line_by_line() {

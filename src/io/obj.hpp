@@ -21,7 +21,7 @@ struct ObjOptions {
   int threads = 0;                  ///< as in LoadOptions
 
   /// As much text as one thread reads at a time: what it makes of that stays in its cache until it is taken over.
-  std::size_t part_bytes = std::size_t{1} << 19U;
+  std::size_t part_bytes = std::size_t{1} << 18U;
 };
 
 /// The mesh of an OBJ text, faithful to it: polygons stay polygons.

@@ -338,6 +338,55 @@ void ObjPart::clear(std::size_t bytes) {
   lines = 0;
 }
 
+ObjEstimate estimate_obj(std::string_view text) {
+  constexpr std::size_t kSamples = 256;
+  constexpr std::size_t kSampleBytes = 1024;
+  if (text.size() < 2 * kSamples * kSampleBytes) {
+    return {};
+  }
+  ObjEstimate sum;
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    std::string_view sample = text.substr(text.size() / kSamples * i, kSampleBytes);
+    const std::size_t begin = sample.find('\n');
+    const std::size_t end = sample.rfind('\n');
+    if (begin == end) {
+      continue;
+    }
+    sample = sample.substr(begin + 1, end - begin);
+    seen += sample.size();
+    while (!sample.empty()) {
+      const std::size_t size = sample.find('\n') + 1;
+      const std::string_view line = sample.substr(0, size);
+      sample.remove_prefix(size);
+      if (line.starts_with("v ")) {
+        ++sum.positions;
+      } else if (line.starts_with("vn ")) {
+        ++sum.normals;
+      } else if (line.starts_with("vt ")) {
+        ++sum.uvs;
+      } else if (line.starts_with("f ")) {
+        ++sum.faces;
+        sum.corners += std::max<std::size_t>(3, static_cast<std::size_t>(std::count(line.begin(), line.end() - 2, ' ')));
+        const std::size_t slash = line.find('/');
+        sum.names_uvs |= slash != std::string_view::npos && line[slash + 1] != '/';
+        sum.names_normals |= slash != std::string_view::npos &&
+                             (line[slash + 1] == '/' || line.substr(0, line.find(' ', slash)).find('/', slash + 1) != std::string_view::npos);
+      }
+    }
+  }
+  const auto scale = [&](std::size_t& count) {
+    const double whole = static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(seen, 1)) * static_cast<double>(text.size());
+    count = std::min(static_cast<std::size_t>(whole * 1.1) + (count == 0 ? 0 : 1000), text.size() / 4);
+  };
+  scale(sum.positions);
+  scale(sum.uvs);
+  scale(sum.normals);
+  scale(sum.faces);
+  scale(sum.corners);
+  return sum;
+}
+
 const char* end_of_obj_part(std::string_view text, const char* begin, std::size_t size) {
   const char* const end = text.data() + text.size();
   if (static_cast<std::size_t>(end - begin) <= size) {

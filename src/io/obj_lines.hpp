@@ -66,6 +66,21 @@ struct ObjPart {
   void clear(std::size_t bytes);
 };
 
+/// What a text holds, about.
+struct ObjEstimate {
+  std::size_t positions = 0;
+  std::size_t uvs = 0;
+  std::size_t normals = 0;
+  std::size_t faces = 0;
+  std::size_t corners = 0;
+  bool names_uvs = false;
+  bool names_normals = false;
+};
+
+/// Looks at lines here and there. So the mesh's arrays are made once and large enough, and need not be moved while they grow; a wrong estimate
+/// costs time or addresses, but no memory that is used.
+[[nodiscard]] ObjEstimate estimate_obj(std::string_view text);
+
 /// The end of the part that begins at `begin` and is about `size` bytes long: behind an end of line that ends its statement for sure.
 [[nodiscard]] const char* end_of_obj_part(std::string_view text, const char* begin, std::size_t size);
 
