@@ -150,11 +150,11 @@ std::array<std::uint32_t, kLiteralSymbols> count_symbols(std::span<const std::ui
   const std::uint8_t* at = data.data();
   for (const Stretch& stretch : stretches) {
     const std::uint8_t* const end = at + stretch.literals;
-    for (; end - at >= 4; at += 4) {
-      ++tables[0][at[0]];
-      ++tables[1][at[1]];
-      ++tables[2][at[2]];
-      ++tables[3][at[3]];
+    for (; end - at >= 8; at += 8) {
+      const std::uint64_t v = load_little_endian(at);
+      for (std::size_t k = 0; k < 8; ++k) {
+        ++tables[k % 4][(v >> (8 * k)) & 0xFF];
+      }
     }
     for (; at < end; ++at) {
       ++tables[0][*at];
@@ -337,7 +337,8 @@ void put_header(BitWriter& writer, const BlockHeader& header, bool is_last) {
   }
 }
 
-void put_data(BitWriter& writer, std::span<const std::uint8_t> data, std::span<const Stretch> stretches, const BlockCode& code) {
+/// By value: a writer that lives in registers need not be stored whenever a byte is.
+BitWriter put_data(BitWriter writer, std::span<const std::uint8_t> data, std::span<const Stretch> stretches, const BlockCode& code) {
   static_assert(4 * kLongestCode + 7 <= 64);
   const std::uint8_t* at = data.data();
   const auto put = [&writer](Code c) { writer.put(c.bits(), c.count()); };
@@ -364,6 +365,7 @@ void put_data(BitWriter& writer, std::span<const std::uint8_t> data, std::span<c
   }
   put(code.symbols[kEndOfBlock]);
   writer.flush();
+  return writer;
 }
 
 // --- stored blocks -----------------------------------------------------------------------------------------------------------------
@@ -402,7 +404,7 @@ void append_deflate(std::span<const std::uint8_t> data, bool is_last, std::vecto
   if (coded_bytes < stored_bytes) {
     BitWriter writer(end);
     put_header(writer, header, is_last);
-    put_data(writer, data, stretches, code);
+    writer = put_data(writer, data, stretches, code);
     if (is_last) {
       end = writer.finish();
     } else {

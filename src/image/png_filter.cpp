@@ -48,15 +48,25 @@ void subtract_paeth(const Byte* row, const Byte* up, std::size_t n, std::size_t 
 
 /// How many bytes of a and b differ.
 std::size_t count_different(const Byte* a, const Byte* b, std::size_t n) {
-  constexpr std::size_t kBlock = 255;  // so that a count fits into a byte
+  using Lanes = Byte __attribute__((vector_size(16)));
+  constexpr std::size_t kMostSteps = 255;  // so that a count fits into a lane
   std::size_t sum = 0;
-  for (std::size_t begin = 0; begin < n; begin += kBlock) {
-    const std::size_t end = std::min(n, begin + kBlock);
-    unsigned part = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      part += a[i] != b[i] ? 1U : 0U;
+  std::size_t i = 0;
+  while (i + sizeof(Lanes) <= n) {
+    Lanes counts{};
+    for (std::size_t step = 0; step < kMostSteps && i + sizeof(Lanes) <= n; ++step, i += sizeof(Lanes)) {
+      Lanes x;
+      Lanes y;
+      std::memcpy(&x, a + i, sizeof x);
+      std::memcpy(&y, b + i, sizeof y);
+      counts -= reinterpret_cast<Lanes>(x != y);  // true is all bits: -1
     }
-    sum += part;
+    for (std::size_t lane = 0; lane < sizeof(Lanes); ++lane) {
+      sum += counts[lane];
+    }
+  }
+  for (; i < n; ++i) {
+    sum += a[i] != b[i] ? 1U : 0U;
   }
   return sum;
 }
@@ -84,11 +94,6 @@ void filter_row(RowFilter filter, std::span<const std::uint8_t> row, std::span<c
 
 void filter_row_well(std::span<const std::uint8_t> row, std::span<const std::uint8_t> up, std::size_t step, std::span<std::uint8_t> to) {
   const std::size_t n = row.size();
-  if (std::memcmp(row.data(), up.data(), n) == 0) {
-    to[0] = static_cast<Byte>(RowFilter::up);
-    std::fill_n(to.data() + 1, n, Byte{0});
-    return;
-  }
   static constexpr Byte kZeros[256]{};
   filter_row(RowFilter::paeth, row, up, step, to);
   std::size_t by_paeth = 0;
