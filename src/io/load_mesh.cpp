@@ -94,7 +94,7 @@ Result<ReadMesh> load(const fs::path& file, const LoadOptions& options) {
     case MeshFormat::ply:
       return parse_any_ply(bytes, name);
     case MeshFormat::stl:
-      return parse_stl(bytes, name);
+      return parse_stl(bytes, name, options.threads);
     case MeshFormat::gltf:
     case MeshFormat::glb:
       return fail(ErrorKind::unsupported, name, "is a glTF file, which is not read yet: expected OBJ, PLY or STL");

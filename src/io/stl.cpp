@@ -15,6 +15,8 @@
 #include "io/note_book.hpp"
 #include "io/stl_ascii.hpp"
 #include "io/text.hpp"
+#include "parallel/big_memory.hpp"
+#include "parallel/slices.hpp"
 
 namespace lustro {
 
@@ -26,10 +28,8 @@ constexpr std::size_t kFacetBytes = 50;
 
 std::uint32_t read_uint32(std::string_view bytes, std::size_t at) {
   std::uint32_t value = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    value |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + i])) << (8U * i);
-  }
-  return value;
+  std::memcpy(&value, bytes.data() + at, sizeof value);
+  return std::endian::native == std::endian::little ? value : __builtin_bswap32(value);
 }
 
 Vec3f read_vector(std::string_view bytes, std::size_t at) {
@@ -46,7 +46,7 @@ bool looks_like_text(std::string_view bytes) {
   });
 }
 
-Result<SourceMesh> parse_binary(std::string_view bytes, const std::string& file) {
+Result<SourceMesh> parse_binary(std::string_view bytes, const std::string& file, int threads) {
   if (bytes.size() < kFirstFacet) {
     return fail(ErrorKind::malformed, at_byte(file, bytes.size()),
                 fmt::format("the file ends here: expected ascii STL (solid ...) or {} bytes of a binary header", kFirstFacet));
@@ -69,17 +69,19 @@ Result<SourceMesh> parse_binary(std::string_view bytes, const std::string& file)
   mesh.format = "STL (binary)";
   mesh.weld_first = true;
   mesh.notes = notes.notes();
-  mesh.positions.reserve(3 * count);
-  mesh.corner_position.resize(3 * count);
-  mesh.face_begin.resize(count + 1);
-  for (std::size_t facet = 0; facet < count; ++facet) {
-    const std::size_t at = kFirstFacet + kFacetBytes * facet;  // normal, three vertices, two attribute bytes
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      mesh.corner_position[3 * facet + corner] = static_cast<std::uint32_t>(3 * facet + corner);
-      mesh.positions.push_back(read_vector(bytes, at + 12 * (corner + 1)));
+  resize_big(mesh.positions, 3 * count);
+  resize_big(mesh.corner_position, 3 * count);
+  resize_big(mesh.face_begin, count + 1);
+  parallel_slices(count, threads, [&](std::size_t begin, std::size_t stop) {
+    for (std::size_t facet = begin; facet < stop; ++facet) {
+      const std::size_t at = kFirstFacet + kFacetBytes * facet;  // normal, three vertices, two attribute bytes
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        mesh.corner_position[3 * facet + corner] = static_cast<std::uint32_t>(3 * facet + corner);
+        mesh.positions[3 * facet + corner] = read_vector(bytes, at + 12 * (corner + 1));
+      }
+      mesh.face_begin[facet + 1] = static_cast<std::uint32_t>(3 * facet + 3);
     }
-    mesh.face_begin[facet + 1] = static_cast<std::uint32_t>(3 * facet + 3);
-  }
+  });
   return mesh;
 }
 
@@ -113,8 +115,8 @@ bool is_ascii_stl(std::string_view bytes) {
   return same_word(second, "facet") || same_word(second, "endsolid");
 }
 
-Result<SourceMesh> parse_stl(std::string_view bytes, const std::string& file) {
-  return is_binary_stl(bytes) ? parse_binary(bytes, file) : parse_stl_text(bytes, file);
+Result<SourceMesh> parse_stl(std::string_view bytes, const std::string& file, int threads) {
+  return is_binary_stl(bytes) ? parse_binary(bytes, file, threads) : parse_stl_text(bytes, file);
 }
 
 }  // namespace lustro

@@ -21,7 +21,8 @@ namespace lustro {
 ///
 /// errors  malformed with the line or byte; limit for more than 2^32 - 2 vertices
 /// source  3D Systems, StereoLithography Interface Specification, 1989
-[[nodiscard]] Result<SourceMesh> parse_stl(std::string_view bytes, const std::string& file);
+/// threads  0: one a core, for binary files
+[[nodiscard]] Result<SourceMesh> parse_stl(std::string_view bytes, const std::string& file, int threads = 0);
 
 /// True for binary STL: by the size that the stated number of facets asks for; else whatever does not look like text that begins with `solid`,
 /// as binary headers may begin with that word too.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "mesh/polygon.hpp"
 #include "mesh/triangulate.hpp"
 #include "mesh/validate.hpp"
+#include "parallel/slices.hpp"
 
 namespace lustro {
 namespace {
@@ -22,14 +24,14 @@ namespace {
 constexpr std::uint32_t kNone = SourceMesh::kNone;
 
 /// Unit normals for all corners: the file's, where it has them and they are wanted, else those made from the faces.
-CornerNormals normals_for(const SourceMesh& source, const NormalOptions& options) {
+CornerNormals normals_for(const SourceMesh& source, const NormalOptions& options, int threads) {
   const bool use_file = !options.recompute && !source.corner_normal.empty();
   const auto is_missing = [](std::uint32_t normal) { return normal == kNone; };
   const bool make = !use_file || std::any_of(source.corner_normal.begin(), source.corner_normal.end(), is_missing);
   if (!make) {
     return {source.normals, source.corner_normal};
   }
-  CornerNormals normals = make_normals({source.positions, source.face_begin, source.corner_position, source.face_smoothing}, options);
+  CornerNormals normals = make_normals({source.positions, source.face_begin, source.corner_position, source.face_smoothing}, options, threads);
   if (use_file) {
     const auto made = static_cast<std::uint32_t>(normals.normals.size());
     normals.normals.insert(normals.normals.end(), source.normals.begin(), source.normals.end());
@@ -42,13 +44,29 @@ CornerNormals normals_for(const SourceMesh& source, const NormalOptions& options
   return normals;
 }
 
+bool has_area(const SourceMesh& source, const std::array<std::uint32_t, 3>& corners) {
+  const auto position = [&](std::size_t k) { return vec_cast<double>(source.positions[source.corner_position[corners[k]]]); };
+  return cross(position(1) - position(0), position(2) - position(0)) != Vec3d{};
+}
+
 /// Drops the triangles without area, in place.
-std::size_t drop_degenerate(const SourceMesh& source, Triangles& triangles) {
+std::size_t drop_degenerate(const SourceMesh& source, Triangles& triangles, int threads) {
+  std::atomic<bool> is_clean = true;
+  parallel_slices(triangles.corners.size(), threads, [&](std::size_t begin, std::size_t end) {
+    bool clean = true;
+    for (std::size_t t = begin; t < end; ++t) {
+      clean &= has_area(source, triangles.corners[t]);
+    }
+    if (!clean) {
+      is_clean = false;
+    }
+  });
+  if (is_clean) {
+    return 0;
+  }
   std::size_t kept = 0;
   for (std::size_t t = 0; t < triangles.corners.size(); ++t) {
-    const auto position = [&](std::size_t k) { return vec_cast<double>(source.positions[source.corner_position[triangles.corners[t][k]]]); };
-    const Vec3d normal = cross(position(1) - position(0), position(2) - position(0));
-    if (normal != Vec3d{}) {
+    if (has_area(source, triangles.corners[t])) {
       triangles.corners[kept] = triangles.corners[t];
       triangles.face[kept] = triangles.face[t];
       ++kept;
@@ -155,9 +173,9 @@ Result<BuiltMesh> build_general(SourceMesh&& source, const NormalOptions& option
     return tl::unexpected<Error>(std::move(valid.error()));
   }
   BuiltMesh built;
-  const CornerNormals normals = normals_for(valid->source, options);
-  Triangles triangles = triangulate(valid->source);
-  const std::size_t degenerate = drop_degenerate(valid->source, triangles);
+  const CornerNormals normals = normals_for(valid->source, options, threads);
+  Triangles triangles = triangulate(valid->source, threads);
+  const std::size_t degenerate = drop_degenerate(valid->source, triangles, threads);
   const std::vector<std::uint32_t>& face_material = valid->source.face_material;
   if (std::any_of(face_material.begin(), face_material.end(), [](std::uint32_t material) { return material != kNone; })) {
     assign_materials(

@@ -1,11 +1,17 @@
 // Face normals, groups, weighted sums, unit vectors: four passes over flat arrays.
 #include "mesh/normals.hpp"
 
+#include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 #include "math/trig.hpp"
 #include "mesh/polygon.hpp"
+#include "mesh/triangle_normals.hpp"
+#include "parallel/big_memory.hpp"
+#include "parallel/slices.hpp"
 
 namespace lustro {
 namespace {
@@ -18,19 +24,21 @@ struct FacePlanes {
   std::vector<std::uint8_t> is_sliver;
 };
 
-FacePlanes planes_of(const Faces& faces) {
+FacePlanes planes_of(const Faces& faces, int threads) {
   FacePlanes planes;
-  planes.normals.reserve(faces.size());
-  planes.areas.reserve(faces.size());
-  planes.is_sliver.reserve(faces.size());
-  for (std::uint32_t f = 0; f < faces.size(); ++f) {
-    const std::uint32_t begin = faces.begin[f];
-    const PolygonPlane plane =
-        plane_of(faces.begin[f + 1] - begin, [&](std::size_t i) { return faces.positions[faces.corner_position[begin + i]]; });
-    planes.normals.push_back(plane.normal);
-    planes.areas.push_back(plane.area);
-    planes.is_sliver.push_back(plane.is_sliver ? 1 : 0);
-  }
+  resize_big(planes.normals, faces.size());
+  resize_big(planes.areas, faces.size());
+  resize_big(planes.is_sliver, faces.size());
+  parallel_slices(faces.size(), threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f) {
+      const std::uint32_t begin = faces.begin[f];
+      const PolygonPlane plane =
+          plane_of(faces.begin[f + 1] - begin, [&](std::size_t i) { return faces.positions[faces.corner_position[begin + i]]; });
+      planes.normals[f] = plane.normal;
+      planes.areas[f] = plane.area;
+      planes.is_sliver[f] = plane.is_sliver ? 1 : 0;
+    }
+  });
   return planes;
 }
 
@@ -50,10 +58,26 @@ double inner_angle(const Faces& faces, std::uint32_t f, std::uint32_t c, const V
   return angle < 0 ? angle + 2 * kPi : angle;
 }
 
+struct Sum {
+  Vec3d normal;
+  double weight = 0;  ///< of all summands; negative where they are slivers, which nothing but slivers may join
+
+  /// The unit normal, or 0 where the faces cancel.
+  [[nodiscard]] Vec3f unit() const {
+    const double size = length(normal);
+    if (size > kCancelled * std::abs(weight)) {
+      return vec_cast<float>(Vec3d{normal.x / size, normal.y / size, normal.z / size});
+    }
+    return {};
+  }
+};
+
+/// The sums of a range of groups: as in triangle_normals.cpp every thread has one, and looks at all faces in their order.
 class NormalSums {
  public:
-  NormalSums(const Faces& faces, const FacePlanes& planes, const SmoothingGroups& groups, VertexNormals weights)
-      : faces_(faces), planes_(planes), groups_(groups), weights_(weights), sums_(groups.count), last_face_(groups.count, kNone) {
+  NormalSums(const Faces& faces, const FacePlanes& planes, const SmoothingGroups& groups, VertexNormals weights, std::uint32_t begin,
+             std::uint32_t end)
+      : faces_(faces), planes_(planes), groups_(groups), weights_(weights), begin_(begin), sums_(end - begin), last_face_(end - begin, kNone) {
     bool has_slivers = false;
     for (std::uint32_t f = 0; f < faces.size(); ++f) {
       if (planes.is_sliver[f] == 0) {
@@ -69,26 +93,16 @@ class NormalSums {
     }
   }
 
-  /// The unit normal of a group, or 0 where its faces cancel.
-  [[nodiscard]] Vec3f unit(std::uint32_t group) const {
-    const Sum& sum = sums_[group];
-    const double size = length(sum.normal);
-    if (size > kCancelled * std::abs(sum.weight)) {
-      return vec_cast<float>(Vec3d{sum.normal.x / size, sum.normal.y / size, sum.normal.z / size});
-    }
-    return {};
-  }
+  [[nodiscard]] const std::vector<Sum>& sums() const { return sums_; }
 
  private:
-  struct Sum {
-    Vec3d normal;
-    double weight = 0;  ///< of all summands; negative where they are slivers, which nothing but slivers may join
-  };
-
   void add(std::uint32_t f, bool as_sliver) {
     const Vec3d& normal = planes_.normals[f];
     for (std::uint32_t c = faces_.begin[f]; c < faces_.begin[f + 1]; ++c) {
-      const std::uint32_t group = groups_.of_corner[c];
+      const std::uint32_t group = groups_.of_corner[c] - begin_;
+      if (group >= sums_.size()) {
+        continue;
+      }
       Sum& sum = sums_[group];
       if (as_sliver && sum.weight > 0) {
         continue;
@@ -109,25 +123,64 @@ class NormalSums {
   const FacePlanes& planes_;
   const SmoothingGroups& groups_;
   VertexNormals weights_;
+  std::uint32_t begin_;
   std::vector<Sum> sums_;
   std::vector<std::uint32_t> last_face_;
 };
 
-}  // namespace
+/// The triangles of faces that are nothing else, or nothing.
+std::span<const std::array<std::uint32_t, 3>> as_triangles(std::span<const std::uint32_t> corners) {
+  static_assert(sizeof(std::array<std::uint32_t, 3>) == 3 * sizeof(std::uint32_t));
+  return {reinterpret_cast<const std::array<std::uint32_t, 3>*>(corners.data()), corners.size() / 3};
+}
 
-CornerNormals make_normals(const Faces& faces, const NormalOptions& options) {
-  const FacePlanes planes = planes_of(faces);
-  SmoothingGroups groups = smoothing_groups(faces, planes.normals, planes.is_sliver, options.crease_deg);
-  CornerNormals result;
-  result.normals.resize(groups.count);
-  {
-    const NormalSums sums(faces, planes, groups, options.weights);
-    for (std::uint32_t g = 0; g < groups.count; ++g) {
-      result.normals[g] = sums.unit(g);
+bool has_only_triangles(const Faces& faces) {
+  for (std::uint32_t f = 0; f < faces.size(); ++f) {
+    if (faces.begin[f + 1] - faces.begin[f] != 3) {
+      return false;
     }
   }
+  return true;
+}
+
+std::vector<Vec3f> group_normals(const Faces& faces, const FacePlanes& planes, const SmoothingGroups& groups, VertexNormals weights,
+                                 int threads) {
+  if (has_only_triangles(faces)) {
+    return make_triangle_normals({faces.positions, as_triangles(faces.corner_position), as_triangles(groups.of_corner), groups.count}, weights,
+                                 threads)
+        .normals;
+  }
+  std::vector<Vec3f> normals;
+  resize_big(normals, groups.count);
+  const std::size_t ranges = faces.corner_position.size() < kSmallestSlice ? 1 : thread_count(threads);
+  parallel_for(ranges, threads, [&](std::size_t r) {
+    const auto begin = static_cast<std::uint32_t>(std::size_t{groups.count} * r / ranges);
+    const auto end = static_cast<std::uint32_t>(std::size_t{groups.count} * (r + 1) / ranges);
+    const NormalSums range(faces, planes, groups, weights, begin, end);
+    std::transform(range.sums().begin(), range.sums().end(), normals.begin() + begin, [](const Sum& sum) { return sum.unit(); });
+  });
+  return normals;
+}
+
+}  // namespace
+
+CornerNormals make_normals(const Faces& faces, const NormalOptions& options, int threads) {
+  const FacePlanes planes = planes_of(faces, threads);
+  SmoothingGroups groups = smoothing_groups(faces, planes.normals, planes.is_sliver, options.crease_deg, threads);
+  CornerNormals result;
+  result.normals = group_normals(faces, planes, groups, options.weights, threads);
   result.corner_normal = std::move(groups.of_corner);
-  for (std::uint32_t f = 0; f < faces.size(); ++f) {
+  std::atomic<bool> has_zero = false;
+  parallel_slices(result.corner_normal.size(), threads, [&](std::size_t begin, std::size_t end) {
+    bool found = false;
+    for (std::size_t c = begin; c < end; ++c) {
+      found |= result.normals[result.corner_normal[c]] == Vec3f{};
+    }
+    if (found) {
+      has_zero = true;
+    }
+  });
+  for (std::uint32_t f = 0; has_zero && f < faces.size(); ++f) {
     for (std::uint32_t c = faces.begin[f]; c < faces.begin[f + 1]; ++c) {
       if (result.normals[result.corner_normal[c]] == Vec3f{}) {
         const Vec3f own = vec_cast<float>(planes.normals[f]);

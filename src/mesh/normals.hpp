@@ -25,7 +25,8 @@ struct CornerNormals {
 /// faces. Slivers do not count unless there is nothing else; where the sum cancels to zero, each face keeps its own normal. Faces are taken
 /// with the winding that they have: neighbours wound against each other cancel.
 /// source  Gouraud 1971 (uniform); Thuermer, Wuethrich 1998, Computing vertex normals from polygonal facets (angle); Max 1999 compares
-[[nodiscard]] CornerNormals make_normals(const Faces& faces, const NormalOptions& options);
+/// threads  0: one a core; the normals are the same for any number
+[[nodiscard]] CornerNormals make_normals(const Faces& faces, const NormalOptions& options, int threads = 0);
 
 /// The mesh with a unit normal at every vertex; as it is, where it has them and options.recompute does not ask for others.
 ///

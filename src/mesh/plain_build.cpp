@@ -188,11 +188,12 @@ BuiltMesh build_plain(PlainMesh mesh, const NormalOptions& options, int threads)
     }
     mesh.normals = std::move(file_normals);
   } else {
-    TriangleNormals made = make_triangle_normals(mesh.positions, mesh.triangles, options.weights, threads);
+    TriangleNormals made =
+        make_triangle_normals({mesh.positions, mesh.triangles, mesh.triangles, mesh.positions.size()}, options.weights, threads);
     if (made.has_flat && dropped.infinite + dropped.thin == 0) {  // flat ones count among the slivers, but those that are dropped do not
       dropped = drop_unusable(mesh);
       if (dropped.thin != 0) {
-        made = make_triangle_normals(mesh.positions, mesh.triangles, options.weights, threads);
+        made = make_triangle_normals({mesh.positions, mesh.triangles, mesh.triangles, mesh.positions.size()}, options.weights, threads);
       }
     }
     has_flat = made.has_flat;

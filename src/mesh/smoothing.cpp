@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "math/trig.hpp"
+#include "parallel/big_memory.hpp"
+#include "parallel/slices.hpp"
 
 namespace lustro {
 namespace {
@@ -21,16 +23,44 @@ struct Rings {
   std::vector<std::uint32_t> corner;  ///< C
 };
 
-Rings rings_of(const Faces& faces) {
-  Rings rings{std::vector<std::uint32_t>(faces.positions.size() + 1, 0), std::vector<std::uint32_t>(faces.corner_position.size())};
-  for (const std::uint32_t position : faces.corner_position) {
-    ++rings.begin[position + 1];
-  }
-  std::partial_sum(rings.begin.begin(), rings.begin.end(), rings.begin.begin());
-  std::vector<std::uint32_t> end(rings.begin.begin(), rings.begin.end() - 1);
-  for (std::uint32_t c = 0; c < faces.corner_position.size(); ++c) {
-    rings.corner[end[faces.corner_position[c]]++] = c;
-  }
+// Each thread looks at all corners and places those of a range of positions.
+Rings rings_of(const Faces& faces, int threads) {
+  Rings rings;
+  const std::size_t positions = faces.positions.size();
+  resize_big(rings.begin, positions + 1);
+  resize_big(rings.corner, faces.corner_position.size());
+  const std::size_t ranges = faces.corner_position.size() < kSmallestSlice ? 1 : thread_count(threads);
+  const auto first = [&](std::size_t r) { return static_cast<std::uint32_t>(positions * r / ranges); };
+  std::vector<std::uint32_t> sizes(ranges);
+  parallel_for(ranges, threads, [&](std::size_t r) {
+    const std::uint32_t low = first(r);
+    const std::uint32_t width = first(r + 1) - low;
+    std::uint32_t size = 0;
+    for (const std::uint32_t position : faces.corner_position) {
+      if (position - low < width) {
+        ++rings.begin[position + 1];
+        ++size;
+      }
+    }
+    sizes[r] = size;
+  });
+  std::exclusive_scan(sizes.begin(), sizes.end(), sizes.begin(), 0U);
+  parallel_for(ranges, threads, [&](std::size_t r) {
+    const std::uint32_t low = first(r);
+    const std::uint32_t width = first(r + 1) - low;
+    std::vector<std::uint32_t> end(width);
+    std::uint32_t sum = sizes[r];
+    for (std::uint32_t i = 0; i < width; ++i) {
+      end[i] = sum;
+      sum += rings.begin[low + i + 1];
+      rings.begin[low + i + 1] = sum;
+    }
+    for (std::uint32_t c = 0; c < faces.corner_position.size(); ++c) {
+      if (faces.corner_position[c] - low < width) {
+        rings.corner[end[faces.corner_position[c] - low]++] = c;
+      }
+    }
+  });
   return rings;
 }
 
@@ -46,8 +76,8 @@ class Ring {
         is_creased_(crease_deg < 180),
         least_cosine_(cosine_deg(std::min(180.0, crease_deg + kCreaseSlackDeg))) {}
 
-  /// Writes the corners' groups, numbered from `count` on in the order of the corners, and raises `count`.
-  void group(std::span<const std::uint32_t> corners, SmoothingGroups& groups) {
+  /// Writes the corners' groups, numbered from `count` on in the order of the corners. Returns the next number.
+  std::uint32_t group(std::span<const std::uint32_t> corners, std::uint32_t count, std::vector<std::uint32_t>& of_corner) {
     corners_ = corners;
     parent_.resize(corners.size());
     std::iota(parent_.begin(), parent_.end(), 0U);
@@ -58,8 +88,9 @@ class Ring {
     }
     for (std::uint32_t i = 0; i < corners.size(); ++i) {  // a root is the first of its own, so it is numbered before the others ask
       const std::uint32_t root = find(i);
-      groups.of_corner[corners[i]] = root == i ? groups.count++ : groups.of_corner[corners[root]];
+      of_corner[corners[i]] = root == i ? count++ : of_corner[corners[root]];
     }
+    return count;
   }
 
  private:
@@ -180,24 +211,41 @@ class Ring {
 
 }  // namespace
 
-SmoothingGroups smoothing_groups(const Faces& faces, std::span<const Vec3d> normals, std::span<const std::uint8_t> is_sliver,
-                                 double crease_deg) {
+SmoothingGroups smoothing_groups(const Faces& faces, std::span<const Vec3d> normals, std::span<const std::uint8_t> is_sliver, double crease_deg,
+                                 int threads) {
   SmoothingGroups groups;
   if (crease_deg >= 180 && faces.smoothing.empty()) {
     groups.of_corner.assign(faces.corner_position.begin(), faces.corner_position.end());
     groups.count = static_cast<std::uint32_t>(faces.positions.size());
     return groups;
   }
-  groups.of_corner.resize(faces.corner_position.size());
-  std::vector<std::uint32_t> corner_face(faces.corner_position.size());
-  for (std::uint32_t f = 0; f < faces.size(); ++f) {
-    std::fill(corner_face.begin() + faces.begin[f], corner_face.begin() + faces.begin[f + 1], f);
+  resize_big(groups.of_corner, faces.corner_position.size());
+  std::vector<std::uint32_t> corner_face;
+  resize_big(corner_face, faces.corner_position.size());
+  parallel_slices(faces.size(), threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f) {
+      std::fill(corner_face.begin() + faces.begin[f], corner_face.begin() + faces.begin[f + 1], static_cast<std::uint32_t>(f));
+    }
+  });
+  const Rings rings = rings_of(faces, threads);
+  // The groups of a slice are numbered from 0 on, then by what the slices before it have.
+  const std::size_t slices = slice_count(faces.positions.size(), threads, kSmallestSlice / 4);
+  const auto slice_begin = [&](std::size_t s) { return faces.positions.size() * s / slices; };
+  std::vector<std::uint32_t> first(slices);
+  parallel_for(slices, threads, [&](std::size_t s) {
+    Ring ring(faces, corner_face, normals, is_sliver, crease_deg);
+    for (std::size_t p = slice_begin(s); p < slice_begin(s + 1); ++p) {
+      first[s] = ring.group(std::span(rings.corner).subspan(rings.begin[p], rings.begin[p + 1] - rings.begin[p]), first[s], groups.of_corner);
+    }
+  });
+  for (std::uint32_t& count : first) {
+    groups.count += std::exchange(count, groups.count);
   }
-  const Rings rings = rings_of(faces);
-  Ring ring(faces, corner_face, normals, is_sliver, crease_deg);
-  for (std::size_t p = 0; p < faces.positions.size(); ++p) {
-    ring.group(std::span(rings.corner).subspan(rings.begin[p], rings.begin[p + 1] - rings.begin[p]), groups);
-  }
+  parallel_for(slices, threads, [&](std::size_t s) {
+    for (std::size_t i = rings.begin[slice_begin(s)]; first[s] != 0 && i < rings.begin[slice_begin(s + 1)]; ++i) {
+      groups.of_corner[rings.corner[i]] += first[s];
+    }
+  });
   return groups;
 }
 

@@ -42,7 +42,8 @@ struct SmoothingGroups {
 /// normals     F, unit, or 0
 /// is_sliver   F; not 0 where the face's normal is noise
 /// crease_deg  0..180
+/// threads     0: one a core; the groups are the same for any number
 [[nodiscard]] SmoothingGroups smoothing_groups(const Faces& faces, std::span<const Vec3d> normals, std::span<const std::uint8_t> is_sliver,
-                                               double crease_deg);
+                                               double crease_deg, int threads = 0);
 
 }  // namespace lustro

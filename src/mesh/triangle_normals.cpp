@@ -22,18 +22,24 @@ struct Sum {
   double weight;  ///< of all summands; negative where they are slivers, which nothing but slivers may join
 };
 
-/// The sums of the vertices begin .. end - 1.
+/// The sums of the groups begin .. end - 1.
 class RangeOfSums {
  public:
-  RangeOfSums(std::span<const Vec3f> positions, std::span<const Triangle> triangles, VertexNormals weights, Sum* sums, std::uint32_t begin,
-              std::uint32_t end)
-      : positions_(positions), triangles_(triangles), weights_(weights), sums_(sums), begin_(begin), end_(end), batch_(new TriangleBatch{}) {}
+  RangeOfSums(const TriangleCorners& corners, VertexNormals weights, Sum* sums, std::uint32_t begin, std::uint32_t end)
+      : positions_(corners.positions),
+        triangles_(corners.triangles),
+        groups_(corners.groups),
+        weights_(weights),
+        sums_(sums),
+        begin_(begin),
+        end_(end),
+        is_whole_(begin == 0 && end == corners.group_count),
+        batch_(new TriangleBatch{}) {}
 
   void add_all() {
-    const bool is_whole = begin_ == 0 && end_ == positions_.size();
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-      const Triangle& v = triangles_[t];
-      if (is_whole || is_inside(v[0]) || is_inside(v[1]) || is_inside(v[2])) {
+      const Triangle& v = groups_[t];
+      if (is_whole_ || is_inside(v[0]) || is_inside(v[1]) || is_inside(v[2])) {
         add(t);
       }
     }
@@ -78,7 +84,7 @@ class RangeOfSums {
         continue;
       }
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t v = triangles_[at_[i]][k];
+        const std::uint32_t v = groups_[at_[i]][k];
         if (!is_inside(v)) {
           continue;
         }
@@ -98,9 +104,11 @@ class RangeOfSums {
 
   std::span<const Vec3f> positions_;
   std::span<const Triangle> triangles_;
+  std::span<const Triangle> groups_;
   VertexNormals weights_;
   Sum* sums_;
   std::uint32_t begin_, end_;
+  bool is_whole_;
   std::unique_ptr<TriangleBatch> batch_;
   std::array<std::uint32_t, TriangleBatch::kSize> at_{};
   std::size_t filled_ = 0;
@@ -110,16 +118,15 @@ class RangeOfSums {
 
 }  // namespace
 
-TriangleNormals make_triangle_normals(std::span<const Vec3f> positions, std::span<const Triangle> triangles, VertexNormals weights,
-                                      int threads) {
+TriangleNormals make_triangle_normals(const TriangleCorners& corners, VertexNormals weights, int threads) {
   TriangleNormals made;
-  const std::size_t count = positions.size();
+  const std::size_t count = corners.group_count;
   const BigArray<Sum> sums = make_big_array<Sum>(count);
-  const std::size_t ranges = triangles.size() < kSmallestSlice ? 1 : thread_count(threads);
+  const std::size_t ranges = corners.triangles.size() < kSmallestSlice ? 1 : thread_count(threads);
   std::atomic<bool> has_flat = false;
   std::atomic<bool> has_zero = false;
   parallel_for(ranges, threads, [&](std::size_t i) {
-    RangeOfSums range(positions, triangles, weights, sums.get(), static_cast<std::uint32_t>(count * i / ranges),
+    RangeOfSums range(corners, weights, sums.get(), static_cast<std::uint32_t>(count * i / ranges),
                       static_cast<std::uint32_t>(count * (i + 1) / ranges));
     range.add_all();
     if (range.has_flat()) {

@@ -3,12 +3,15 @@
 #include "mesh/triangulate.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <optional>
 
 #include "math/trig.hpp"
 #include "mesh/polygon.hpp"
+#include "parallel/big_memory.hpp"
+#include "parallel/slices.hpp"
 
 namespace lustro {
 namespace {
@@ -227,31 +230,39 @@ bool Triangulator::cut(std::span<const Vec3f> polygon, std::vector<std::array<st
   return true;
 }
 
-Triangles triangulate(const SourceMesh& mesh) {
+// A polygon of n corners makes n - 2 triangles, so every face knows where its own begin.
+Triangles triangulate(const SourceMesh& mesh, int threads) {
   Triangles triangles;
-  const std::size_t count = mesh.stated_triangle_count();
-  triangles.corners.reserve(count);
-  triangles.face.reserve(count);
-  Triangulator triangulator;
-  std::vector<Vec3f> polygon;
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-    const std::uint32_t begin = mesh.face_begin[f];
-    const std::uint32_t end = mesh.face_begin[f + 1];
-    polygon.clear();
-    for (std::uint32_t c = begin; c < end; ++c) {
-      polygon.push_back(mesh.positions[mesh.corner_position[c]]);
-    }
-    const std::size_t first = triangles.corners.size();
-    if (!triangulator.cut(polygon, triangles.corners)) {
-      ++triangles.crossing_polygons;
-    }
-    for (std::size_t t = first; t < triangles.corners.size(); ++t) {
-      for (std::uint32_t& corner : triangles.corners[t]) {
-        corner += begin;
+  const std::size_t count = mesh.corner_position.size() - 2 * mesh.face_count();
+  resize_big(triangles.corners, count);
+  resize_big(triangles.face, count);
+  std::atomic<std::size_t> crossing = 0;
+  parallel_slices(mesh.face_count(), threads, [&](std::size_t first_face, std::size_t end_face) {
+    Triangulator triangulator;
+    std::vector<Vec3f> polygon;
+    std::vector<std::array<std::uint32_t, 3>> cut;
+    for (std::size_t f = first_face; f < end_face; ++f) {
+      const std::uint32_t begin = mesh.face_begin[f];
+      const std::uint32_t end = mesh.face_begin[f + 1];
+      std::size_t t = begin - 2 * f;
+      if (end - begin == 3) {
+        triangles.corners[t] = {begin, begin + 1, begin + 2};
+        triangles.face[t] = static_cast<std::uint32_t>(f);
+        continue;
       }
-      triangles.face.push_back(f);
+      polygon.clear();
+      for (std::uint32_t c = begin; c < end; ++c) {
+        polygon.push_back(mesh.positions[mesh.corner_position[c]]);
+      }
+      cut.clear();
+      crossing += triangulator.cut(polygon, cut) ? 0U : 1U;
+      for (const auto& corners : cut) {
+        triangles.corners[t] = {begin + corners[0], begin + corners[1], begin + corners[2]};
+        triangles.face[t++] = static_cast<std::uint32_t>(f);
+      }
     }
-  }
+  });
+  triangles.crossing_polygons = crossing;
   return triangles;
 }
 

@@ -63,6 +63,6 @@ class Triangulator {
 };
 
 /// Triangles of all faces. A face has at least 3 corners, finite.
-[[nodiscard]] Triangles triangulate(const SourceMesh& mesh);
+[[nodiscard]] Triangles triangulate(const SourceMesh& mesh, int threads = 0);
 
 }  // namespace lustro

@@ -75,15 +75,17 @@ void forget_unusable_normals(SourceMesh& mesh) {
   }
 }
 
-void weld(ValidMesh& mesh) {
+void weld(ValidMesh& mesh, int threads) {
   SourceMesh& source = mesh.source;
   if (!source.colors.empty()) {
     mesh.corner_color = source.corner_position;
   }
-  const std::vector<std::uint32_t> first = weld_positions(source.positions);
-  for (std::uint32_t& position : source.corner_position) {
-    position = first[position];
-  }
+  const std::vector<std::uint32_t> first = weld_positions(source.positions, 0, threads);
+  parallel_slices(source.corner_position.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      source.corner_position[c] = first[source.corner_position[c]];
+    }
+  });
 }
 
 struct Dropped {
@@ -91,6 +93,30 @@ struct Dropped {
   std::size_t thin_faces = 0;
   std::size_t repeated_corners = 0;
 };
+
+/// True where drop_faces() would leave everything as it is.
+bool is_clean(const SourceMesh& s, int threads) {
+  std::atomic<bool> is_good = true;
+  const auto place = [&](std::uint32_t c) -> const Vec3f& { return s.positions[s.corner_position[c]]; };
+  parallel_slices(s.face_count(), threads, [&](std::size_t first, std::size_t last) {
+    bool good = true;
+    for (std::size_t f = first; f < last && good; ++f) {
+      const std::uint32_t begin = s.face_begin[f];
+      const std::uint32_t end = s.face_begin[f + 1];
+      bool is_wide = false;  // a third place
+      good = end - begin >= 3;
+      for (std::uint32_t c = begin; c < end && good; ++c) {
+        good = is_finite(place(c)) && place(c) != place(c + 1 < end ? c + 1 : begin);
+        is_wide = is_wide || (place(c) != place(begin) && place(c) != place(begin + 1));
+      }
+      good = good && is_wide;
+    }
+    if (!good) {
+      is_good = false;
+    }
+  });
+  return is_good;
+}
 
 /// Keeps the faces and corners that can be drawn, in their order and in place: what is written never overtakes what is read.
 Dropped drop_faces(ValidMesh& mesh) {
@@ -224,9 +250,9 @@ Result<ValidMesh> validate(SourceMesh&& source, int threads) {
     forget_unusable_normals(mesh.source);
   }
   if (mesh.source.weld_first) {
-    weld(mesh);
+    weld(mesh, threads);
   }
-  const Dropped dropped = drop_faces(mesh);
+  const Dropped dropped = is_clean(mesh.source, threads) ? Dropped{} : drop_faces(mesh);
   note(dropped.infinite_faces, "face", "faces", "with a position that is not finite: dropped");
   note(dropped.thin_faces, "face", "faces", "with fewer than three distinct corners: dropped");
   note(dropped.repeated_corners, "corner", "corners", "at the place of the corner before: dropped");

@@ -2,22 +2,84 @@
 #include "mesh/weld.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "mesh/index_table.hpp"
+#include "parallel/big_memory.hpp"
+#include "parallel/slices.hpp"
 
 namespace lustro {
 namespace {
 
 constexpr std::uint32_t kNone = IndexTable::kNone;
 
-std::vector<std::uint32_t> weld_equal(std::span<const Vec3f> positions) {
-  std::vector<std::uint32_t> first(positions.size());
-  IndexTable table(positions.size() / 4);
-  for (std::uint32_t i = 0; i < positions.size(); ++i) {
-    const Vec3f& p = positions[i];
-    first[i] = is_finite(p) ? table.find_or_insert(mix(0, p), i, [&](std::uint32_t j) { return positions[j] == p; }) : i;
+/// A position in the bucket of its hash.
+struct Entry {
+  std::uint32_t hash;
+  std::uint32_t index;
+};
+
+std::uint64_t hash_of(const Vec3f& p) {
+  return mix(0, p);
+}
+
+/// The first of equal positions within one bucket; the entries are in the order of the positions.
+void weld_bucket(std::span<const Vec3f> positions, std::span<const Entry> entries, std::vector<std::uint32_t>& first) {
+  IndexTable table(entries.size() / 4);
+  for (const Entry& entry : entries) {
+    const Vec3f& p = positions[entry.index];
+    first[entry.index] = table.find_or_insert(entry.hash, entry.index, [&](std::uint32_t j) { return positions[j] == p; });
   }
+}
+
+// Equal positions have equal hashes, so that they meet in one bucket: small enough for a core's own cache, and no bucket needs another one.
+std::vector<std::uint32_t> weld_equal(std::span<const Vec3f> positions, int threads) {
+  constexpr std::size_t kBucketSize = 8192;
+  const std::size_t buckets = std::bit_ceil(positions.size() / kBucketSize + 1);
+  const auto shift = static_cast<unsigned>(64 - std::countr_zero(buckets));  // the table takes the lower bits
+  const auto bucket_of = [&](std::uint64_t hash) { return buckets == 1 ? 0 : static_cast<std::size_t>(hash >> shift); };
+  std::vector<std::uint32_t> first;
+  resize_big(first, positions.size());
+  const std::size_t slices = slice_count(positions.size(), threads, 4 * kSmallestSlice);
+  const auto slice_begin = [&](std::size_t s) { return positions.size() * s / slices; };
+
+  std::vector<std::size_t> ends(slices * buckets);  // counts, then where the entries of a slice in a bucket end
+  parallel_for(slices, threads, [&](std::size_t s) {
+    for (std::size_t i = slice_begin(s); i < slice_begin(s + 1); ++i) {
+      first[i] = static_cast<std::uint32_t>(i);
+      if (is_finite(positions[i])) {
+        ++ends[s * buckets + bucket_of(hash_of(positions[i]))];
+      }
+    }
+  });
+  std::size_t count = 0;
+  std::vector<std::size_t> bucket_begin(buckets + 1);
+  for (std::size_t b = 0; b < buckets; ++b) {
+    for (std::size_t s = 0; s < slices; ++s) {
+      const std::size_t here = ends[s * buckets + b];
+      ends[s * buckets + b] = count;
+      count += here;
+    }
+    bucket_begin[b + 1] = count;
+  }
+  const BigArray<Entry> entries = make_big_array<Entry>(count);
+  parallel_for(slices, threads, [&](std::size_t s) {
+    for (std::size_t i = slice_begin(s); i < slice_begin(s + 1); ++i) {
+      if (is_finite(positions[i])) {
+        const std::uint64_t hash = hash_of(positions[i]);
+        entries[ends[s * buckets + bucket_of(hash)]++] = {static_cast<std::uint32_t>(hash), static_cast<std::uint32_t>(i)};
+      }
+    }
+  });
+  parallel_slices(
+      buckets, threads,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; ++b) {
+          weld_bucket(positions, {entries.get() + bucket_begin[b], bucket_begin[b + 1] - bucket_begin[b]}, first);
+        }
+      },
+      8);
   return first;
 }
 
@@ -73,8 +135,8 @@ std::vector<std::uint32_t> weld_near(std::span<const Vec3f> positions, double to
 
 }  // namespace
 
-std::vector<std::uint32_t> weld_positions(std::span<const Vec3f> positions, double tolerance) {
-  return tolerance > 0 ? weld_near(positions, tolerance) : weld_equal(positions);
+std::vector<std::uint32_t> weld_positions(std::span<const Vec3f> positions, double tolerance, int threads) {
+  return tolerance > 0 ? weld_near(positions, tolerance) : weld_equal(positions, threads);
 }
 
 }  // namespace lustro

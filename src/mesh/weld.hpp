@@ -14,6 +14,7 @@ namespace lustro {
 /// positions  V x 3; at most 2^32 - 2; one that is not finite is welded with nothing
 /// tolerance  0: equal coordinates (-0 equals 0). Else the largest distance to the first point, object space. A point that lies near
 ///            several first points takes the earliest one, so the result depends on the order but never on a hash. Expected time is linear
-[[nodiscard]] std::vector<std::uint32_t> weld_positions(std::span<const Vec3f> positions, double tolerance = 0);
+/// threads    0: one a core, for equal coordinates; the result is the same for any number
+[[nodiscard]] std::vector<std::uint32_t> weld_positions(std::span<const Vec3f> positions, double tolerance = 0, int threads = 0);
 
 }  // namespace lustro
