@@ -38,6 +38,24 @@ TEST(WriteImage, TheExtensionChoosesTheFormat) {
   EXPECT_EQ(folder.count(), 4U);
 }
 
+TEST(WriteImage, BytesBecomeTheFileThatTheirImageBecomes) {
+  const TemporaryFolder folder;
+  const Image image = random_image(9, 7, 4, 5);
+  ASSERT_TRUE(write_image(folder.path() / "a.png", image));
+  ASSERT_TRUE(write_image(folder.path() / "b.PNG", to_bytes(image, Transfer::srgb)));
+  EXPECT_EQ(bytes_of(folder.path() / "a.png"), bytes_of(folder.path() / "b.PNG"));
+  ByteImage bytes = to_bytes(image, Transfer::srgb);
+  const auto floats = write_image(folder.path() / "c.exr", bytes);
+  ASSERT_FALSE(floats);
+  EXPECT_EQ(floats.error().text(), (folder.path() / "c.exr").string() + ": a picture of bytes is written as .png");
+  EXPECT_EQ(floats.error().kind, ErrorKind::unsupported);
+  EXPECT_EQ(write_image(folder.path() / "c.png", bytes, {.bits = 16}).error().kind, ErrorKind::usage);
+  bytes.pixels.pop_back();
+  EXPECT_EQ(write_image(folder.path() / "c.png", bytes).error().kind, ErrorKind::usage);
+  EXPECT_EQ(write_image(folder.path() / "c.png", ByteImage()).error().kind, ErrorKind::usage);
+  EXPECT_EQ(folder.count(), 2U);
+}
+
 TEST(WriteImage, PicturesThatCannotBeWrittenLeaveNoFile) {
   const TemporaryFolder folder;
   const Image image = random_image(2, 2, 3, 3);

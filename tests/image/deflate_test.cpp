@@ -136,6 +136,44 @@ TEST(Deflate, NoiseGrowsByFiveBytesForEvery65535) {
   }
 }
 
+TEST(Deflate, WhatIsTakenForARunDoesNotDependOnItsPlace) {
+  std::size_t expected = 0;
+  for (std::size_t place = 0; place < 64; ++place) {
+    Bytes data;
+    const auto add_restless = [&](std::size_t count) {
+      for (std::size_t i = 0; i < count; ++i) {
+        data.push_back(data.empty() || data.back() != 1 ? std::uint8_t{1} : std::uint8_t{2});
+      }
+    };
+    add_restless(place);
+    for (const std::size_t repeats : {8U, 7U, 8U, 9U, 8U, 6U, 7U, 8U}) {
+      add_restless(2);
+      data.insert(data.end(), repeats, data.back());
+    }
+    add_restless(64 - place);
+    const std::size_t size = deflated(data).size();
+    expected = place == 0 ? size : expected;
+    ASSERT_EQ(size, expected) << place;
+  }
+}
+
+TEST(Deflate, NothingIsCodedThatWouldBeSmallerStored) {
+  RandomBits random(10);
+  int stored = 0;
+  for (int round = 0; round < 3000; ++round) {
+    Bytes data(400 + random() % 800);
+    const std::uint32_t values = 100 + random() % 150;
+    for (std::uint8_t& v : data) {
+      v = static_cast<std::uint8_t>(random() % values);
+    }
+    const auto packed = deflated(data, round % 2 == 0);
+    ASSERT_LE(packed.size(), data.size() + 5) << round;
+    stored += packed.size() == data.size() + 5 ? 1 : 0;
+  }
+  EXPECT_GT(stored, 300);
+  EXPECT_LT(stored, 2700);  // or the edge was not met
+}
+
 TEST(Deflate, ARunCostsTwoBitsForEvery258Bytes) {
   const std::size_t size = std::size_t{1} << 20;
   EXPECT_LE(deflated(Bytes(size)).size(), size / 258 / 4 + 40);

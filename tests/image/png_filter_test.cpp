@@ -94,6 +94,7 @@ TEST(RowFilter, TheOneThatLeavesTheFewestDifferencesIsTaken) {
   EXPECT_EQ(chosen({1, 9, 4, 7}, {1, 9, 4, 8}), RowFilter::up);
   EXPECT_EQ(chosen({50, 50, 50, 50, 50, 50}, {7, 90, 200, 13, 5, 61}), RowFilter::sub);
   EXPECT_EQ(chosen({12, 22, 32, 42, 52, 62}, {10, 20, 30, 40, 50, 60}), RowFilter::up);  // nothing is 0: the first of the three
+  EXPECT_EQ(chosen(Bytes(4096, 50), Bytes(4096, 60)), RowFilter::paeth);                 // 256 differences in each of 16 lanes are not 0
   EXPECT_EQ(chosen({5, 5, 5, 5, 8, 8, 8, 8}, {0, 0, 0, 0, 8, 8, 8, 8}), RowFilter::paeth);
 }
 
