@@ -17,6 +17,7 @@ enum class ExitCode : int {
   unsupported = 5,  ///< an input asks for something that Lustro does not do
   limit = 6,        ///< an input asks for more than a stated limit, or memory ran out
   empty = 7,        ///< nothing was drawn
+  incomplete = 8,   ///< `batch`: some models could not be drawn, the others were
   internal = 70,    ///< a fault of Lustro itself
 };
 
@@ -26,7 +27,7 @@ struct ExitCodeMeaning {
 };
 
 /// Every code with its meaning, as the help, the man page and the completions print them.
-inline constexpr std::array<ExitCodeMeaning, 9> kExitCodes{{
+inline constexpr std::array<ExitCodeMeaning, 10> kExitCodes{{
     {ExitCode::success, "done"},
     {ExitCode::different, "compare: the pictures differ by more than the tolerance; render --expect-hash: the picture has another hash"},
     {ExitCode::usage, "unknown or contradictory flags and arguments"},
@@ -35,6 +36,7 @@ inline constexpr std::array<ExitCodeMeaning, 9> kExitCodes{{
     {ExitCode::unsupported, "an input asks for something that Lustro does not do"},
     {ExitCode::limit, "an input asks for more than a stated limit, or memory ran out"},
     {ExitCode::empty, "nothing was drawn (--allow-empty writes the picture all the same)"},
+    {ExitCode::incomplete, "batch: some models could not be drawn, the others were"},
     {ExitCode::internal, "a fault of Lustro itself"},
 }};
 

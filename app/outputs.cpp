@@ -42,8 +42,13 @@ Result<void> check_output(const std::string& output) {
   return {};
 }
 
-Result<void> write_stdout(const Image& color, const WriteOptions& options) {
-  const Result<std::vector<std::byte>> bytes = encode_png(color, options);
+/// Whether the picture was drawn as bytes, of which nothing but 8-bit PNG can be made.
+bool is_bytes(const Rendering& rendering) {
+  return rendering.color.pixels.empty();
+}
+
+Result<void> write_stdout(const Rendering& rendering, const WriteOptions& options) {
+  const Result<std::vector<std::byte>> bytes = is_bytes(rendering) ? encode_png(rendering.bytes, options) : encode_png(rendering.color, options);
   if (!bytes) {
     return tl::unexpected(bytes.error());
   }
@@ -51,6 +56,24 @@ Result<void> write_stdout(const Image& color, const WriteOptions& options) {
 }
 
 }  // namespace
+
+void add_png_flags(CLI::App& app, PngFlags& flags, const std::string& group) {
+  app.add_option("--bits", flags.bits, "Bits a channel of a PNG: 8 or 16 (default: 8)")->type_name("8|16")->group(group);
+  app.add_option("--png-level", flags.png_level,
+                 "Compression of PNG by libdeflate, 0 (none) to 12 (small and slow) (default: a fast packer of Lustro's own)")
+      ->type_name("N")
+      ->group(group);
+}
+
+Result<WriteOptions> write_options(const PngFlags& flags, Transfer transfer, int threads) {
+  if (flags.bits != 8 && flags.bits != 16) {
+    return fail(ErrorKind::usage, "--bits", fmt::format("{} is neither 8 nor 16", flags.bits));
+  }
+  if (flags.png_level && (*flags.png_level < 0 || *flags.png_level > 12)) {
+    return fail(ErrorKind::usage, "--png-level", fmt::format("{} is outside 0..12", *flags.png_level));
+  }
+  return WriteOptions{.bits = flags.bits, .transfer = transfer, .png_level = flags.png_level, .threads = threads};
+}
 
 std::string default_output(const std::string& argument) {
   if (is_primitive(argument)) {
@@ -97,6 +120,14 @@ std::string layer_file(const std::string& output, const std::string& layer) {
   return file.replace_extension("." + name + extension).string();
 }
 
+void draw_what_is_written(const std::vector<std::string>& outputs, const PngFlags& flags, RenderOptions& options) {
+  const bool only_bytes = flags.bits == 8 && std::all_of(outputs.begin(), outputs.end(), [](const std::string& output) {
+                            return output == kStdout || format_of_name(output) == ImageFormat::png;
+                          });
+  options.store_color = !only_bytes;
+  options.store_bytes = only_bytes;
+}
+
 Result<std::vector<std::string>> write_outputs(const std::vector<std::string>& outputs, const Rendering& rendering,
                                                const WriteOptions& options) {
   std::vector<std::string> written;
@@ -109,7 +140,7 @@ Result<std::vector<std::string>> write_outputs(const std::vector<std::string>& o
   };
   for (const std::string& output : outputs) {
     if (output == kStdout) {
-      if (const Result<void> done = write(output, [&] { return write_stdout(rendering.color, options); }); !done) {
+      if (const Result<void> done = write(output, [&] { return write_stdout(rendering, options); }); !done) {
         return tl::unexpected(done.error());
       }
       continue;
@@ -121,7 +152,10 @@ Result<std::vector<std::string>> write_outputs(const std::vector<std::string>& o
       }
       continue;
     }
-    if (const Result<void> done = write(output, [&] { return write_image(output, rendering.color, options); }); !done) {
+    const auto write_picture = [&] {
+      return is_bytes(rendering) ? write_image(output, rendering.bytes, options) : write_image(output, rendering.color, options);
+    };
+    if (const Result<void> done = write(output, write_picture); !done) {
       return tl::unexpected(done.error());
     }
     for (const Layer& layer : rendering.layers) {

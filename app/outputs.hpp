@@ -1,7 +1,9 @@
 // Where a rendering goes: the names after -o, checked before anything is drawn, and the files that they become.
 #pragma once
 
+#include <CLI/App.hpp>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +14,17 @@ namespace lustro::app {
 
 /// `-`: a PNG on standard output.
 inline constexpr const char* kStdout = "-";
+
+/// `--bits` and `--png-level`, of every command that writes PNG.
+struct PngFlags {
+  int bits = 8;
+  std::optional<int> png_level;
+};
+
+void add_png_flags(CLI::App& app, PngFlags& flags, const std::string& group);
+
+/// errors  usage for a number out of range
+[[nodiscard]] Result<WriteOptions> write_options(const PngFlags& flags, Transfer transfer, int threads);
 
 /// `bunny.png` beside `models/bunny.ply`; `teapot.png` in the current folder for `primitive:teapot`.
 [[nodiscard]] std::string default_output(const std::string& argument);
@@ -26,6 +39,9 @@ inline constexpr const char* kStdout = "-";
 
 /// `out.png` and layer `light:0` make `out.light-0.png`.
 [[nodiscard]] std::string layer_file(const std::string& output, const std::string& layer);
+
+/// Asks for the picture as bytes where only such are written, which spares its floats.
+void draw_what_is_written(const std::vector<std::string>& outputs, const PngFlags& flags, RenderOptions& options);
 
 /// Writes the picture and its layers: an .exr holds all layers, .png and .pfm take one file a layer. Returns the names of what was written.
 [[nodiscard]] Result<std::vector<std::string>> write_outputs(const std::vector<std::string>& outputs, const Rendering& rendering,

@@ -24,8 +24,7 @@ struct RenderFlags {
   std::vector<std::string> outputs;
   std::string expected_hash;
   std::string aovs;
-  int bits = 8;
-  std::optional<int> png_level;
+  PngFlags png;
   bool allow_empty = false;
   bool mtl_tr = false;
   bool print_scene = false;
@@ -37,13 +36,7 @@ Result<void> check_flags(const Session& session, const RenderFlags& flags) {
     return fail(ErrorKind::usage, "-o -",
                 fmt::format("the picture and the text of {} cannot both go to standard output", session.json ? "--json" : "--print-scene"));
   }
-  if (flags.bits != 8 && flags.bits != 16) {
-    return fail(ErrorKind::usage, "--bits", fmt::format("{} is neither 8 nor 16", flags.bits));
-  }
-  if (flags.png_level && (*flags.png_level < 0 || *flags.png_level > 12)) {
-    return fail(ErrorKind::usage, "--png-level", fmt::format("{} is outside 0..12", *flags.png_level));
-  }
-  return {};
+  return write_options(flags.png, Transfer::srgb, session.threads).map([](const WriteOptions&) {});
 }
 
 /// `hash` stands there only where one was asked for.
@@ -119,6 +112,9 @@ Result<ExitCode> run_render(const Session& session, const RenderFlags& flags) {
     return tl::unexpected(checked.error());
   }
 
+  draw_what_is_written(outputs, flags.png, *options);
+  options->store_color = options->store_color || expected.has_value();
+
   const auto start = std::chrono::steady_clock::now();
   Notes notes = std::move(loaded->notes);
   const Result<Rendering> rendering = draw_scene(session, flags.scene, scene, flags.scene_flags, *std::move(options), flags.allow_empty);
@@ -140,9 +136,8 @@ Result<ExitCode> run_render(const Session& session, const RenderFlags& flags) {
     }
   }
 
-  const WriteOptions write_options{
-      .bits = flags.bits, .transfer = scene.image.transfer, .png_level = flags.png_level, .threads = session.threads};
-  const Result<std::vector<std::string>> written = write_outputs(outputs, *rendering, write_options);
+  const Result<std::vector<std::string>> written =
+      write_outputs(outputs, *rendering, *write_options(flags.png, scene.image.transfer, session.threads));
   if (!written) {
     return tl::unexpected(written.error());
   }
@@ -167,16 +162,12 @@ Command make_render(CommandLine& line, Session& session) {
       ->group(output)
       ->expected(-1)
       ->allow_extra_args(false);
-  app->add_option("--bits", flags->bits, "Bits a channel of a PNG: 8 or 16 (default: 8)")->type_name("8|16")->group(output);
   app->add_option(
          "--aov", flags->aovs,
          "Layers beside the picture, separated by commas: " + aov_list() + ". An .exr holds them all; out.png brings out.NAME.png for each")
       ->type_name("LIST")
       ->group(output);
-  app->add_option("--png-level", flags->png_level,
-                  "Compression of PNG by libdeflate, 0 (none) to 12 (small and slow) (default: a fast packer of Lustro's own)")
-      ->type_name("N")
-      ->group(output);
+  add_png_flags(*app, flags->png, output);
   app->add_option("--expect-hash", flags->expected_hash,
                   "Writes only if the picture has this hash, as `lustro hash` prints it; otherwise the exit code is 1")
       ->type_name("HASH")

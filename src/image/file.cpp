@@ -78,6 +78,11 @@ Result<fs::path> follow_links(const fs::path& file) {
   return target;
 }
 
+/// How the names of a process's temporary files begin.
+std::string temporary_prefix(int process) {
+  return fmt::format(".lustro-{}-", process);
+}
+
 /// A device or a pipe has no content to protect, and a rename would replace the device itself.
 Result<void> write_in_place(const fs::path& file, std::span<const std::byte> bytes) {
   Descriptor out(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
@@ -163,7 +168,7 @@ Result<void> write_file_atomically(const fs::path& file, std::span<const std::by
     return tl::unexpected(std::move(target).error());
   }
   for (int attempt = 0; attempt < 10000; ++attempt) {
-    const fs::path temporary = target->parent_path() / fmt::format(".lustro-{}-{}.tmp", ::getpid(), attempt);
+    const fs::path temporary = target->parent_path() / fmt::format("{}{}.tmp", temporary_prefix(::getpid()), attempt);
     Descriptor out(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (out.get() < 0 && errno == EEXIST) {
       continue;  // another thread's, or left behind by a killed process
@@ -185,6 +190,18 @@ Result<void> write_file_atomically(const fs::path& file, std::span<const std::by
     return {};
   }
   return cannot(EEXIST);
+}
+
+void remove_temporaries(const fs::path& folder, int process) {
+  const std::string prefix = temporary_prefix(process);
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (name.starts_with(prefix) && name.ends_with(".tmp")) {
+      std::error_code ignored;
+      fs::remove(entry->path(), ignored);
+    }
+  }
 }
 
 }  // namespace lustro

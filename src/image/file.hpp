@@ -21,4 +21,7 @@ constexpr std::size_t kHeadBytes = 16;
 [[nodiscard]] Result<std::vector<std::byte>> read_file_bytes(const std::filesystem::path& file,
                                                              const std::function<Result<void>(std::span<const std::byte>)>& accept);
 
+/// Removes what write_file_atomically() of a process that was killed has left in the folder.
+void remove_temporaries(const std::filesystem::path& folder, int process);
+
 }  // namespace lustro

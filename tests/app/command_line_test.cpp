@@ -25,7 +25,8 @@ TEST_F(CommandLine, VersionIsOneLineOnStdout) {
 TEST_F(CommandLine, HelpNamesEverySubcommandAndEveryExitCode) {
   const Outcome outcome = lustro({"--help"});
   EXPECT_EQ(outcome.code, 0);
-  for (const char* name : {"render", "hash", "bench", "info", "explain", "compare", "materials", "schema", "glsl", "completions", "man"}) {
+  for (const char* name :
+       {"render", "batch", "hash", "bench", "info", "explain", "compare", "materials", "schema", "glsl", "completions", "man"}) {
     EXPECT_THAT(outcome.out, HasSubstr(std::string("\n  ") + name)) << name;
   }
   EXPECT_THAT(outcome.out, HasSubstr("Exit codes:"));
@@ -34,7 +35,8 @@ TEST_F(CommandLine, HelpNamesEverySubcommandAndEveryExitCode) {
 }
 
 TEST_F(CommandLine, HelpKeepsToTheWidth) {
-  for (const char* name : {"render", "hash", "bench", "info", "explain", "compare", "materials", "schema", "glsl", "completions", "man"}) {
+  for (const char* name :
+       {"render", "batch", "hash", "bench", "info", "explain", "compare", "materials", "schema", "glsl", "completions", "man"}) {
     const Outcome outcome = run_program({"env", "COLUMNS=70", LUSTRO_COMMAND, name, "--help"});
     EXPECT_EQ(outcome.code, 0);
     EXPECT_THAT(outcome.out, HasSubstr("Examples:")) << name;
