@@ -31,6 +31,7 @@ struct BatchFlags {
   double time_limit = 0;
   double memory_limit = 0;  ///< MB
   bool resume = false;
+  bool warnings = false;
   bool allow_empty = false;
   bool mtl_tr = false;
 };
@@ -51,6 +52,7 @@ struct Summary {
   std::vector<Failure> failed;
   std::size_t skipped = 0;
   Notes notes;
+  std::size_t noted = 0;  ///< models that brought notes
   double seconds = 0;
 
   [[nodiscard]] double pictures_per_second() const { return seconds > 0 ? static_cast<double>(drawn.size()) / seconds : 0; }
@@ -133,7 +135,7 @@ std::string run_job(const BatchFlags& flags, const BatchJob& job, const RenderOp
 // --- in the command ----------------------------------------------------------------------------------------------------------------
 
 /// What a worker said, into the summary. What does not read as that came from a broken process.
-void take_result(const Session& session, const BatchJob& job, const std::string& text, Summary& summary) {
+void take_result(const BatchJob& job, const std::string& text, Summary& summary) {
   const Json json = Json::parse(text, nullptr, false);
   try {
     Notes notes;
@@ -145,16 +147,16 @@ void take_result(const Session& session, const BatchJob& job, const std::string&
     } else {
       summary.drawn.push_back({job, json.at("triangles").get<std::uint64_t>()});
     }
-    say_warnings(session, notes);
+    summary.noted += notes.empty() ? 0U : 1U;
     summary.notes.insert(summary.notes.end(), notes.begin(), notes.end());
   } catch (const Json::exception&) {
     summary.failed.push_back({job, ExitCode::internal, fmt::format("{}: the process that drew it answered nonsense", job.input)});
   }
 }
 
-void take_end(const Session& session, const JobEnd& end, const BatchJob& job, Summary& summary) {
+void take_end(const JobEnd& end, const BatchJob& job, Summary& summary) {
   if (end.has_result) {
-    take_result(session, job, end.text, summary);
+    take_result(job, end.text, summary);
   } else {
     remove_temporaries(job.output.parent_path(), end.process);
     summary.failed.push_back({job, ExitCode::limit, fmt::format("{}: {}", job.input, end.text)});
@@ -233,13 +235,16 @@ Result<ExitCode> run_batch(const Session& session, const BatchFlags& flags) {
   const Result<void> ran = run_in_workers(
       jobs->size(), threads_meant(session.threads), limits, [&](std::size_t i) { return run_job(flags, (*jobs)[i], *options); },
       [&](const JobEnd& end) {
-        const std::size_t failures = summary.failed.size();
+        const std::size_t failures = summary.failed.size(), notes = summary.notes.size();
         if (show) {
           progress.wipe();
         }
-        take_end(session, end, (*jobs)[end.job], summary);
+        take_end(end, (*jobs)[end.job], summary);
         if (summary.failed.size() > failures) {
           say_error(summary.failed.back().message);
+        }
+        if (flags.warnings) {
+          say_warnings(session, {summary.notes.begin() + static_cast<std::ptrdiff_t>(notes), summary.notes.end()});
         }
         if (show) {
           show(static_cast<double>(++ended) / static_cast<double>(jobs->size()));
@@ -250,6 +255,9 @@ Result<ExitCode> run_batch(const Session& session, const BatchFlags& flags) {
     return tl::unexpected(ran.error());
   }
   summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (summary.noted > 0 && !flags.warnings) {
+    say_warning(session, fmt::format("something was skipped or repaired in {}; --warnings lists it", counted(summary.noted, "model", "models")));
+  }
   say(session, summary_text(summary));
   const Result<void> printed = session.json ? print_json(summary_json(summary)) : Result<void>{};
   return printed.map([&] { return summary.failed.empty() ? ExitCode::success : ExitCode::incomplete; });
@@ -278,6 +286,9 @@ Command make_batch(CommandLine& line, Session& session) {
       ->group(output);
   add_png_flags(*app, flags->png, output);
   app->add_flag("--allow-empty", flags->allow_empty, "Writes a picture even if nothing was drawn in it")->disable_flag_override()->group(output);
+  app->add_flag("--warnings", flags->warnings, "Lists what was skipped or repaired in each model, not only in how many")
+      ->disable_flag_override()
+      ->group(output);
   app->add_option("--time-limit", flags->time_limit, "Seconds that a model may take, 0 is any number (default: 0)")
       ->type_name("S")
       ->group(limits);

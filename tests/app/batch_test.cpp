@@ -137,6 +137,15 @@ TEST_F(BatchCommand, AModelThatWantsTooMuchMemoryIsRefusedItAndTheOthersAreDrawn
   ASSERT_EQ(batch({"m/large.obj"}).code, 0);  // without the limit it is a good model
 }
 
+TEST_F(BatchCommand, WarningsAreCountedOrListed) {
+  write_text(work() / "m/square.obj", "mtllib absent.mtl\n" + square_obj());
+  const Outcome counted = batch({"m"});
+  EXPECT_THAT(counted.err, HasSubstr("lustro: warning: something was skipped or repaired in 1 model; --warnings lists it"));
+  EXPECT_THAT(counted.err, Not(HasSubstr("absent.mtl")));
+  EXPECT_THAT(batch({"m", "--warnings"}).err, HasSubstr("absent.mtl"));
+  EXPECT_EQ(batch({"m", "--json", "-q"}).json()["notes"].size(), 1U);
+}
+
 TEST_F(BatchCommand, AnEmptyPictureIsAFailureUnlessItIsAllowed) {
   write_text(work() / "m/points.obj", "v 0 0 0\n");
   const Outcome refused = batch({"m/points.obj"});
