@@ -69,14 +69,14 @@ Result<SourceMesh> load_obj(std::string_view bytes, const fs::path& file, const 
   return parse_obj(bytes, file.string(), obj);
 }
 
-Result<ReadMesh> load(const fs::path& file, const LoadOptions& options) {
+Result<ReadMesh> load(const fs::path& file, const LoadOptions& options, bool for_drawing) {
   const Result<ByteSource> source = ByteSource::open(file);
   if (!source) {
     return tl::unexpected(source.error());
   }
   std::array<char, 4> mark{};
   if (source->read(0, mark.size(), mark.data()).starts_with("ply")) {
-    if (std::optional<PlainMesh> plain = read_plain_ply(*source, options.threads)) {
+    if (std::optional<PlainMesh> plain = read_plain_ply(*source, for_drawing, options.threads)) {
       return *std::move(plain);
     }
   }
@@ -106,9 +106,9 @@ Result<ReadMesh> load(const fs::path& file, const LoadOptions& options) {
 
 }  // namespace
 
-Result<ReadMesh> read_mesh_file(const std::filesystem::path& file, const LoadOptions& options) {
+Result<ReadMesh> read_mesh_file(const std::filesystem::path& file, const LoadOptions& options, bool for_drawing) {
   try {
-    return load(file, options);
+    return load(file, options, for_drawing);
   } catch (const std::bad_alloc&) {
     return fail(ErrorKind::limit, file.string(), "needs more memory than there is");
   } catch (const std::exception& problem) {  // names that the system's paths cannot hold
@@ -117,7 +117,7 @@ Result<ReadMesh> read_mesh_file(const std::filesystem::path& file, const LoadOpt
 }
 
 Result<SourceMesh> load_mesh_file(const std::filesystem::path& file, const LoadOptions& options) {
-  Result<ReadMesh> read = read_mesh_file(file, options);
+  Result<ReadMesh> read = read_mesh_file(file, options, false);
   if (!read) {
     return tl::unexpected(std::move(read.error()));
   }

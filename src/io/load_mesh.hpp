@@ -12,6 +12,7 @@ namespace lustro {
 using ReadMesh = std::variant<SourceMesh, PlainMesh>;
 
 /// load_mesh_file(), in plain form where the file has it.
-[[nodiscard]] Result<ReadMesh> read_mesh_file(const std::filesystem::path& file, const LoadOptions& options);
+/// for_drawing  the vertices may come in another order than that of the file: what build_plain() makes of them is the same mesh
+[[nodiscard]] Result<ReadMesh> read_mesh_file(const std::filesystem::path& file, const LoadOptions& options, bool for_drawing);
 
 }  // namespace lustro

@@ -79,7 +79,7 @@ Result<std::shared_ptr<const Mesh>> load_source(const std::string& source, const
   Result<ReadMesh> read =
       is_primitive(source)
           ? make_primitive(std::string_view(source).substr(kPrimitive.size())).map([](SourceMesh&& made) { return ReadMesh(std::move(made)); })
-          : read_mesh_file(file, options);
+          : read_mesh_file(file, options, shading.crease.value_or(kSmooth) == kSmooth);
   if (!read) {
     const Error& error = read.error();
     return fail(error.kind, error.where.empty() ? name : error.where, error.message);

@@ -408,7 +408,7 @@ void BodyReader<Values>::finish() {
 }  // namespace
 
 Result<SourceMesh> parse_ply(std::string_view bytes, const std::string& file) {
-  if (std::optional<PlainMesh> plain = read_plain_ply(ByteSource(bytes), 0)) {
+  if (std::optional<PlainMesh> plain = read_plain_ply(ByteSource(bytes), false, 0)) {
     return to_source(*std::move(plain));
   }
   return parse_any_ply(bytes, file);

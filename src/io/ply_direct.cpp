@@ -14,6 +14,7 @@
 #include "io/limits.hpp"
 #include "io/ply_header.hpp"
 #include "io/ply_scalars.hpp"
+#include "mesh/first_use.hpp"
 #include "parallel/big_memory.hpp"
 #include "parallel/slices.hpp"
 
@@ -175,15 +176,17 @@ float value_of(const char* record, const Field& field, bool is_swapped) {
   return static_cast<float>(number()) / field.divisor;
 }
 
-/// Fills one attribute of the vertices in `bytes`.
+/// Fills one attribute of the vertices from `first` on, of which `bytes` holds `count`. The vertex v becomes number_of[v], where that is stated.
 template <std::size_t N, class V>
-void decode(std::string_view bytes, const Layout& layout, const Fields<N>& vector, std::span<V> to) {
+void decode(std::string_view bytes, const Layout& layout, const Fields<N>& vector, std::size_t first, std::size_t count,
+            const std::uint32_t* number_of, std::vector<V>& to) {
   static_assert(sizeof(V) == N * sizeof(float));
   if (!vector.is_stated) {
     return;
   }
   const char* record = bytes.data();
-  for (V& value : to) {
+  for (std::size_t v = first; v < first + count; ++v) {
+    V& value = to[number_of == nullptr ? v : number_of[v]];
     if (vector.is_copy) {
       std::memcpy(&value, record + vector.fields[0].offset, sizeof(V));
     } else {
@@ -239,9 +242,34 @@ bool for_records(const ByteSource& source, std::size_t begin, std::size_t size, 
   return is_good;
 }
 
+bool read_faces(const ByteSource& source, const Layout& layout, int threads, PlainMesh& mesh) {
+  resize_big(mesh.triangles, layout.faces);
+  return for_records(source, layout.first_face, layout.face_bytes, layout.faces, threads,
+                     [&](std::string_view bytes, std::size_t first, std::size_t count) {
+                       const std::span to = std::span(mesh.triangles).subspan(first, count);
+                       return layout.is_swapped ? decode_faces<true>(bytes, layout, to) : decode_faces<false>(bytes, layout, to);
+                     });
+}
+
+bool read_vertices(const ByteSource& source, const Layout& layout, const std::uint32_t* number_of, int threads, PlainMesh& mesh) {
+  const auto take = [&](auto& list, bool is_stated) { resize_big(list, is_stated ? layout.vertices : 0); };
+  take(mesh.positions, true);
+  take(mesh.normals, layout.normal.is_stated);
+  take(mesh.uvs, layout.uv.is_stated);
+  take(mesh.colors, layout.color.is_stated);
+  return for_records(source, layout.first_vertex, layout.vertex_bytes, layout.vertices, threads,
+                     [&](std::string_view bytes, std::size_t first, std::size_t count) {
+                       decode<3>(bytes, layout, layout.position, first, count, number_of, mesh.positions);
+                       decode<3>(bytes, layout, layout.normal, first, count, number_of, mesh.normals);
+                       decode<2>(bytes, layout, layout.uv, first, count, number_of, mesh.uvs);
+                       decode<3>(bytes, layout, layout.color, first, count, number_of, mesh.colors);
+                       return true;
+                     });
+}
+
 }  // namespace
 
-std::optional<PlainMesh> read_plain_ply(const ByteSource& source, int threads) {
+std::optional<PlainMesh> read_plain_ply(const ByteSource& source, bool is_sorted, int threads) {
   std::string room(std::min(kHead, source.size()), '\0');
   const std::string_view head = source.read(0, room.size(), room.data());
   const Result<PlyHeader> header = parse_ply_header(head, "");
@@ -253,35 +281,16 @@ std::optional<PlainMesh> read_plain_ply(const ByteSource& source, int threads) {
     return std::nullopt;
   }
   PlainMesh mesh;
-  const auto take = [&](auto& list, bool is_stated, std::size_t size) { resize_big(list, is_stated ? size : 0); };
-  parallel_for(2, layout->faces < kSmallestSlice ? 1 : threads, [&](std::size_t half) {
-    if (half == 0) {
-      take(mesh.triangles, true, layout->faces);
-      return;
-    }
-    take(mesh.positions, true, layout->vertices);
-    take(mesh.normals, layout->normal.is_stated, layout->vertices);
-    take(mesh.uvs, layout->uv.is_stated, layout->vertices);
-    take(mesh.colors, layout->color.is_stated, layout->vertices);
-  });
-  const auto part = [](auto& list, std::size_t first, std::size_t count) {
-    return std::span(list).subspan(list.empty() ? 0 : first, list.empty() ? 0 : count);
-  };
-  const bool is_read =
-      for_records(source, layout->first_vertex, layout->vertex_bytes, layout->vertices, threads,
-                  [&](std::string_view bytes, std::size_t first, std::size_t count) {
-                    decode<3>(bytes, *layout, layout->position, part(mesh.positions, first, count));
-                    decode<3>(bytes, *layout, layout->normal, part(mesh.normals, first, count));
-                    decode<2>(bytes, *layout, layout->uv, part(mesh.uvs, first, count));
-                    decode<3>(bytes, *layout, layout->color, part(mesh.colors, first, count));
-                    return true;
-                  }) &&
-      for_records(source, layout->first_face, layout->face_bytes, layout->faces, threads,
-                  [&](std::string_view bytes, std::size_t first, std::size_t count) {
-                    const std::span to = part(mesh.triangles, first, count);
-                    return layout->is_swapped ? decode_faces<true>(bytes, *layout, to) : decode_faces<false>(bytes, *layout, to);
-                  });
-  if (!is_read) {
+  if (!read_faces(source, *layout, threads, mesh)) {
+    return std::nullopt;
+  }
+  FirstUse numbers;  // freed before the normals are made
+  if (is_sorted) {
+    numbers = number_by_first_use(mesh.triangles, layout->vertices, threads);
+    renumber(mesh.triangles, numbers, threads);
+    mesh.used = numbers.used;
+  }
+  if (!read_vertices(source, *layout, is_sorted && !numbers.is_sorted ? numbers.new_of_old.get() : nullptr, threads, mesh)) {
     return std::nullopt;
   }
   mesh.format = ply_format_name(header->encoding);

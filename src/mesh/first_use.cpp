@@ -2,8 +2,9 @@
 #include "mesh/first_use.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <vector>
 
-#include "parallel/big_memory.hpp"
 #include "parallel/slices.hpp"
 
 namespace lustro {
@@ -16,7 +17,7 @@ constexpr std::size_t kMostRuns = 8;
 
 }  // namespace
 
-std::vector<std::uint32_t> number_by_first_use(std::span<Triangle> triangles, std::size_t vertices, int threads) {
+FirstUse number_by_first_use(std::span<const Triangle> triangles, std::size_t vertices, int threads) {
   const std::size_t runs = triangles.size() < kSmallestSlice ? 1 : std::min(kMostRuns, thread_count(threads));
   const auto run = [&](std::size_t r) {
     const std::size_t begin = triangles.size() * r / runs;
@@ -32,14 +33,17 @@ std::vector<std::uint32_t> number_by_first_use(std::span<Triangle> triangles, st
     }
   });
 
+  // Marks that are new to their run, and how many there are in each slice of the vertices; behind the last run, those that nobody marked.
   const std::size_t slices = slice_count(vertices, threads);
-  std::vector<std::size_t> counts(slices * runs);
+  const auto slice_begin = [&](std::size_t s) { return vertices * s / slices; };
+  std::vector<std::size_t> counts(slices * (runs + 1));
+  FirstUse numbers;
+  numbers.new_of_old = make_big_array<std::uint32_t>(vertices);
+  constexpr std::uint32_t kUnused = 1;
   parallel_for(slices, threads, [&](std::size_t s) {
-    const std::size_t begin = vertices * s / slices;
-    const std::size_t end = vertices * (s + 1) / slices;
-    std::vector<std::uint8_t> seen(marks.get() + begin, marks.get() + end);
-    counts[s * runs] = static_cast<std::size_t>(std::count(seen.begin(), seen.end(), std::uint8_t{1}));
-    for (std::size_t r = 1; r < runs; ++r) {
+    const std::size_t begin = slice_begin(s);
+    std::vector<std::uint8_t> seen(slice_begin(s + 1) - begin);
+    for (std::size_t r = 0; r < runs; ++r) {
       std::uint8_t* const mark = marks.get() + r * vertices + begin;
       std::size_t count = 0;
       for (std::size_t v = 0; v < seen.size(); ++v) {
@@ -48,39 +52,68 @@ std::vector<std::uint32_t> number_by_first_use(std::span<Triangle> triangles, st
         mark[v] = is_new;
         count += is_new;
       }
-      counts[s * runs + r] = count;
+      counts[s * (runs + 1) + r] = count;
     }
+    std::size_t unused = 0;
+    for (std::size_t v = 0; v < seen.size(); ++v) {
+      if (seen[v] == 0) {
+        numbers.new_of_old[begin + v] = kUnused;
+        ++unused;
+      }
+    }
+    counts[s * (runs + 1) + runs] = unused;
   });
   std::vector<std::size_t> first(runs + 1);
   for (std::size_t r = 0; r < runs; ++r) {
     first[r + 1] = first[r];
     for (std::size_t s = 0; s < slices; ++s) {
-      first[r + 1] += counts[s * runs + r];
+      first[r + 1] += counts[s * (runs + 1) + r];
     }
   }
+  numbers.used = first[runs];
 
-  std::vector<std::uint32_t> old_of_new;
-  resize_big(old_of_new, first[runs]);
-  const BigArray<std::uint32_t> new_of_old = make_big_array<std::uint32_t>(vertices);
+  std::atomic<bool> is_sorted = true;
+  if (numbers.used < vertices) {
+    std::size_t next = numbers.used;
+    for (std::size_t s = 0; s < slices; ++s) {
+      for (std::size_t v = slice_begin(s); counts[s * (runs + 1) + runs] != 0 && v < slice_begin(s + 1); ++v) {
+        if (numbers.new_of_old[v] == kUnused) {
+          is_sorted = is_sorted && v == next;
+          numbers.new_of_old[v] = static_cast<std::uint32_t>(next++);
+        }
+      }
+    }
+  }
   parallel_for(runs, threads, [&](std::size_t r) {
     std::uint8_t* const mark = marks.get() + r * vertices;
     auto next = static_cast<std::uint32_t>(first[r]);
+    bool sorted = true;
     for (const Triangle& triangle : run(r)) {
       for (const std::uint32_t v : triangle) {
         if (mark[v] != 0) {
           mark[v] = 0;
-          new_of_old[v] = next;
-          old_of_new[next++] = v;
+          sorted &= v == next;
+          numbers.new_of_old[v] = next++;
         }
       }
     }
-  });
-  parallel_slices(triangles.size(), threads, [&](std::size_t begin, std::size_t end) {
-    for (Triangle& triangle : triangles.subspan(begin, end - begin)) {
-      triangle = {new_of_old[triangle[0]], new_of_old[triangle[1]], new_of_old[triangle[2]]};
+    if (!sorted) {
+      is_sorted = false;
     }
   });
-  return old_of_new;
+  numbers.is_sorted = is_sorted;
+  return numbers;
+}
+
+void renumber(std::span<Triangle> triangles, const FirstUse& numbers, int threads) {
+  if (numbers.is_sorted) {
+    return;
+  }
+  parallel_slices(triangles.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (Triangle& t : triangles.subspan(begin, end - begin)) {
+      t = {numbers.new_of_old[t[0]], numbers.new_of_old[t[1]], numbers.new_of_old[t[2]]};
+    }
+  });
 }
 
 }  // namespace lustro

@@ -1,19 +1,26 @@
-// Numbers vertices by their first use in the triangles: neighbours on the surface become neighbours in memory, and what is unused falls out.
+// Numbers vertices by their first use in the triangles: neighbours on the surface become neighbours in memory, and what is unused stands last.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
+
+#include "parallel/big_memory.hpp"
 
 namespace lustro {
 
-/// Renumbers the triangles' vertices in the order in which their corners name them first.
-///
+struct FirstUse {
+  BigArray<std::uint32_t> new_of_old;  ///< one a vertex; those that no triangle names are the last ones, in their order
+  std::size_t used = 0;
+  bool is_sorted = false;  ///< every vertex keeps its number
+};
+
+/// The numbers of vertices in the order in which the triangles' corners name them first; the same for any number of threads.
 /// vertices  the triangles' indices are below it
-/// returns   for each new vertex its old index; the same for any number of threads
-[[nodiscard]] std::vector<std::uint32_t> number_by_first_use(std::span<std::array<std::uint32_t, 3>> triangles, std::size_t vertices,
-                                                             int threads);
+[[nodiscard]] FirstUse number_by_first_use(std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t vertices, int threads);
+
+/// Gives the triangles' corners those numbers.
+void renumber(std::span<std::array<std::uint32_t, 3>> triangles, const FirstUse& numbers, int threads);
 
 }  // namespace lustro

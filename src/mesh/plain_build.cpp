@@ -3,17 +3,15 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
+#include <cstddef>
 #include <utility>
 
-#include "mesh/first_use.hpp"
 #include "mesh/index_table.hpp"
 #include "mesh/materials.hpp"
 #include "mesh/plain_mesh.hpp"
 #include "mesh/repair.hpp"
 #include "mesh/triangle_normals.hpp"
 #include "mesh/validate.hpp"
-#include "parallel/big_memory.hpp"
 #include "parallel/slices.hpp"
 
 namespace lustro {
@@ -133,30 +131,15 @@ std::vector<std::uint32_t> number_with_own_normals(PlainMesh& mesh, std::vector<
 }
 
 template <class T>
-void gather(std::vector<T>& list, const std::vector<std::uint32_t>& old_of_new, int threads) {
+void gather(std::vector<T>& list, const std::vector<std::uint32_t>& old_of_new) {
   if (list.empty()) {
     return;
   }
-  std::vector<T> gathered;
-  resize_big(gathered, old_of_new.size());
-  parallel_slices(old_of_new.size(), threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      gathered[i] = list[old_of_new[i]];
-    }
-  });
+  std::vector<T> gathered(old_of_new.size());
+  for (std::size_t i = 0; i < old_of_new.size(); ++i) {
+    gathered[i] = list[old_of_new[i]];
+  }
   list = std::move(gathered);
-}
-
-bool is_counting(const std::vector<std::uint32_t>& numbers, std::size_t size) {
-  if (numbers.size() != size) {
-    return false;
-  }
-  for (std::size_t i = 0; i < size; ++i) {
-    if (numbers[i] != i) {
-      return false;
-    }
-  }
-  return true;
 }
 
 }  // namespace
@@ -170,6 +153,9 @@ BuiltMesh build_plain(PlainMesh mesh, const NormalOptions& options, int threads)
   };
   note(whiten(mesh.colors, threads), "colour", "colours", "not finite: white instead");
   note(replace_uvs(mesh.uvs, threads), "texture coordinate", "texture coordinates", "not finite: (0, 0) instead");
+  if (!mesh.used) {
+    sort_by_first_use(mesh, threads);
+  }
   std::vector<Vec3f> file_normals = std::move(mesh.normals);
   const std::size_t unusable = normalize_normals(file_normals, threads);  // those are (0, 0, 0) now
   note(unusable, "normal", "normals", "zero or not finite: made from the faces instead");
@@ -205,32 +191,39 @@ BuiltMesh build_plain(PlainMesh mesh, const NormalOptions& options, int threads)
       }
     }
     file_normals = {};
+    has_zero = has_zero && std::any_of(mesh.normals.begin(), mesh.normals.begin() + static_cast<std::ptrdiff_t>(*mesh.used),
+                                       [](const Vec3f& n) { return n == Vec3f{}; });
   }
   note(dropped.infinite, "face", "faces", "with a position that is not finite: dropped");
   note(dropped.thin, "face", "faces", "with fewer than three distinct corners: dropped");
 
   const bool has_materials = std::any_of(mesh.materials_of.begin(), mesh.materials_of.end(), [](std::uint32_t m) { return m != kNone; });
+  std::size_t flat = 0;
   if (has_flat) {
-    note(drop_triangles(mesh, [&](const Triangle& t) { return has_area(mesh.positions, t); }), "triangle", "triangles", "without area: dropped");
+    flat = drop_triangles(mesh, [&](const Triangle& t) { return has_area(mesh.positions, t); });
+    note(flat, "triangle", "triangles", "without area: dropped");
   }
   if (has_materials) {
     assign_materials(
         std::move(mesh.materials), mesh.triangles.size(), [&](std::size_t t) { return mesh.materials_of[t]; }, built.mesh);
   }
 
-  std::vector<Vec3f> parted_normals;
-  const std::vector<std::uint32_t> old_of_new =
-      has_zero ? number_with_own_normals(mesh, parted_normals) : number_by_first_use(mesh.triangles, mesh.positions.size(), threads);
-  const bool is_sorted = !has_zero && is_counting(old_of_new, mesh.positions.size());
-  if (!is_sorted) {
-    gather(mesh.positions, old_of_new, threads);
-    if (has_zero) {
-      mesh.normals = std::move(parted_normals);
-    } else {
-      gather(mesh.normals, old_of_new, threads);
+  if (has_zero) {
+    std::vector<Vec3f> normals;
+    const std::vector<std::uint32_t> old_of_new = number_with_own_normals(mesh, normals);
+    gather(mesh.positions, old_of_new);
+    gather(mesh.uvs, old_of_new);
+    gather(mesh.colors, old_of_new);
+    mesh.normals = std::move(normals);
+  } else {
+    if (dropped.infinite + dropped.thin + flat != 0) {
+      sort_by_first_use(mesh, threads);
     }
-    gather(mesh.uvs, old_of_new, threads);
-    gather(mesh.colors, old_of_new, threads);
+    const auto forget_unused = [&](auto& list) { list.resize(std::min(list.size(), *mesh.used)); };
+    forget_unused(mesh.positions);
+    forget_unused(mesh.normals);
+    forget_unused(mesh.uvs);
+    forget_unused(mesh.colors);
   }
   built.mesh.positions = std::move(mesh.positions);
   built.mesh.normals = std::move(mesh.normals);

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <utility>
 
+#include "mesh/first_use.hpp"
 #include "parallel/big_memory.hpp"
 #include "parallel/slices.hpp"
 
@@ -36,6 +37,21 @@ bool all_triangles(const std::vector<std::uint32_t>& face_begin, int threads) {
   return is_good;
 }
 
+template <class T>
+void reorder(std::vector<T>& list, const FirstUse& numbers, int threads) {
+  if (list.empty()) {
+    return;
+  }
+  std::vector<T> sorted;
+  resize_big(sorted, list.size());
+  parallel_slices(list.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      sorted[numbers.new_of_old[v]] = list[v];
+    }
+  });
+  list = std::move(sorted);
+}
+
 /// All faces are in one smoothing group, or there are none.
 bool is_all_smooth(const std::vector<std::uint32_t>& smoothing) {
   return smoothing.empty() ||
@@ -43,6 +59,19 @@ bool is_all_smooth(const std::vector<std::uint32_t>& smoothing) {
 }
 
 }  // namespace
+
+void sort_by_first_use(PlainMesh& plain, int threads) {
+  const FirstUse numbers = number_by_first_use(plain.triangles, plain.positions.size(), threads);
+  plain.used = numbers.used;
+  if (numbers.is_sorted) {
+    return;
+  }
+  renumber(plain.triangles, numbers, threads);
+  reorder(plain.positions, numbers, threads);
+  reorder(plain.normals, numbers, threads);
+  reorder(plain.uvs, numbers, threads);
+  reorder(plain.colors, numbers, threads);
+}
 
 SourceMesh to_source(PlainMesh plain) {
   SourceMesh source;

@@ -22,7 +22,13 @@ struct PlainMesh {
   std::vector<Material> materials;
   std::string format;
   Notes notes;
+
+  /// Stated where the vertices stand in the order of their first use: how many are used. The others are the last ones.
+  std::optional<std::size_t> used;
 };
+
+/// Brings the vertices into the order of their first use.
+void sort_by_first_use(PlainMesh& plain, int threads);
 
 /// The same mesh in the general form.
 [[nodiscard]] SourceMesh to_source(PlainMesh plain);

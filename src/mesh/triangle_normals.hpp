@@ -28,7 +28,7 @@ struct TriangleNormals {
 
 /// The normals that make_normals() gives, bit by bit, whatever the number of threads.
 ///
-/// Each thread sums up a range of the groups and looks at all triangles that touch it, in their order; so nothing is shared, and
+/// Each thread sums up ranges of the groups and looks at all triangles that touch them, in their order; so nothing is shared, and
 /// no sum depends on how many threads there are. A triangle on the border of ranges is measured more than once.
 ///
 [[nodiscard]] TriangleNormals make_triangle_normals(const TriangleCorners& corners, VertexNormals weights, int threads);

@@ -7,10 +7,11 @@
 #include <filesystem>
 #include <random>
 
-#include "mesh/same_bits.hpp"
 #include "io/ply.hpp"
 #include "io_testing.hpp"
 #include "lustro/scene.hpp"
+#include "mesh/build.hpp"
+#include "mesh/same_bits.hpp"
 #include "shared_dir.hpp"
 #include "temporary_folder.hpp"
 
@@ -111,7 +112,7 @@ TEST(PlyDirect, EqualsTheGeneralWayOnRandomFiles) {
     if (round % 16 == 15) {
       text.resize(engine() % text.size());
     }
-    plain += read_plain_ply(ByteSource(text), 2) ? 1 : 0;
+    plain += read_plain_ply(ByteSource(text), false, 2) ? 1 : 0;
     expect_same(parse_ply(text, "m.ply"), parse_any_ply(text, "m.ply"));
   }
   EXPECT_GT(plain, 300);
@@ -128,9 +129,29 @@ TEST(PlyDirect, AFileReadByThreadsEqualsItsBytes) {
     for (const int threads : {1, 2, 3, 7}) {
       expect_same(load_mesh_file(folder.path / "m.ply", {.transparency_is_tr = false, .adjust = {}, .threads = threads}), expected);
     }
-    plain += read_plain_ply(*ByteSource::open(folder.path / "m.ply"), 2) ? 1 : 0;
+    plain += read_plain_ply(*ByteSource::open(folder.path / "m.ply"), false, 2) ? 1 : 0;
   }
   EXPECT_GT(plain, 1);
+}
+
+TEST(PlyDirect, AMeshForDrawingIsTheSameWhateverItsWay) {
+  const TemporaryFolder folder;
+  std::mt19937 engine(19);
+  int plain = 0;
+  for (int round = 0; round < 60 && !testing::Test::HasFailure(); ++round) {
+    const std::size_t scale = round < 50 ? 1 : 400;
+    const std::string text = random_file(engine, (10 + engine() % 100) * scale, engine() % 160 * scale);
+    const auto general = parse_any_ply(text, "m.ply");
+    const auto sorted = read_plain_ply(ByteSource(text), true, 3);
+    if (general && sorted) {
+      ++plain;
+      for (const bool recompute : {false, true}) {
+        const NormalOptions options{.recompute = recompute};
+        expect_same(build_plain(*sorted, options, 3), *build_general(SourceMesh(*general), options, 1));
+      }
+    }
+  }
+  EXPECT_GT(plain, 15);
 }
 
 TEST(PlyDirect, EqualsTheGeneralWayOnAllAssets) {
@@ -156,7 +177,7 @@ TEST(PlyDirect, AHeaderLongerThanItsHeadIsLeftToTheGeneralWay) {
       "element vertex 1\nproperty float x\nproperty float y\nproperty float z\nelement face 0\nproperty list uchar int "
       "vertex_index\nend_header\n";
   text += std::string(12, '\0');
-  EXPECT_FALSE(read_plain_ply(ByteSource(text), 1).has_value());
+  EXPECT_FALSE(read_plain_ply(ByteSource(text), false, 1).has_value());
   EXPECT_EQ(good(parse_ply(text, "m")).positions.size(), 1U);
 }
 
