@@ -46,7 +46,7 @@ void subtract_paeth(const Byte* row, const Byte* up, std::size_t n, std::size_t 
   }
 }
 
-/// How many bytes of a and b differ.
+/// How many bytes of a differ from those of b, or from 0 where there is no b.
 std::size_t count_different(const Byte* a, const Byte* b, std::size_t n) {
   using Lanes = Byte __attribute__((vector_size(16)));
   constexpr std::size_t kMostSteps = 255;  // so that a count fits into a lane
@@ -54,11 +54,13 @@ std::size_t count_different(const Byte* a, const Byte* b, std::size_t n) {
   std::size_t i = 0;
   while (i + sizeof(Lanes) <= n) {
     Lanes counts{};
-    for (std::size_t step = 0; step < kMostSteps && i + sizeof(Lanes) <= n; ++step, i += sizeof(Lanes)) {
+    for (const std::size_t end = i + sizeof(Lanes) * std::min(kMostSteps, (n - i) / sizeof(Lanes)); i < end; i += sizeof(Lanes)) {
       Lanes x;
-      Lanes y;
+      Lanes y{};
       std::memcpy(&x, a + i, sizeof x);
-      std::memcpy(&y, b + i, sizeof y);
+      if (b != nullptr) {
+        std::memcpy(&y, b + i, sizeof y);
+      }
       counts -= reinterpret_cast<Lanes>(x != y);  // true is all bits: -1
     }
     for (std::size_t lane = 0; lane < sizeof(Lanes); ++lane) {
@@ -66,7 +68,7 @@ std::size_t count_different(const Byte* a, const Byte* b, std::size_t n) {
     }
   }
   for (; i < n; ++i) {
-    sum += a[i] != b[i] ? 1U : 0U;
+    sum += a[i] != (b != nullptr ? b[i] : 0) ? 1U : 0U;
   }
   return sum;
 }
@@ -94,14 +96,10 @@ void filter_row(RowFilter filter, std::span<const std::uint8_t> row, std::span<c
 
 void filter_row_well(std::span<const std::uint8_t> row, std::span<const std::uint8_t> up, std::size_t step, std::span<std::uint8_t> to) {
   const std::size_t n = row.size();
-  static constexpr Byte kZeros[256]{};
   filter_row(RowFilter::paeth, row, up, step, to);
-  std::size_t by_paeth = 0;
-  for (std::size_t begin = 0; begin < n; begin += sizeof kZeros) {
-    by_paeth += count_different(to.data() + 1 + begin, kZeros, std::min(sizeof kZeros, n - begin));
-  }
+  const std::size_t by_paeth = count_different(to.data() + 1, nullptr, n);
   const std::size_t by_up = count_different(row.data(), up.data(), n);
-  const std::size_t by_sub = count_different(row.data(), kZeros, step) + count_different(row.data() + step, row.data(), n - step);
+  const std::size_t by_sub = count_different(row.data(), nullptr, step) + count_different(row.data() + step, row.data(), n - step);
   if (by_up <= by_paeth && by_up <= by_sub) {
     filter_row(RowFilter::up, row, up, step, to);
   } else if (by_sub < by_paeth) {

@@ -88,8 +88,8 @@ bool has_idle_alpha(const Samples& samples, int threads) {
 /// `row` without the last channel. Writes up to 8 bytes more than it keeps: `to` has room for them.
 void drop_alpha(std::span<const std::uint8_t> row, std::size_t step, std::size_t depth, std::uint8_t* to) {
   std::size_t i = 0;
-  if constexpr (std::endian::native == std::endian::little) {
-    for (; step == 4 && depth == 1 && i + 8 <= row.size(); i += 8, to += 6) {  // two pixels of a word at once: what most pictures are
+  if (std::endian::native == std::endian::little && step == 4 && depth == 1) {  // what most pictures are: two pixels, a word, at once
+    for (; i + 8 <= row.size(); i += 8, to += 6) {
       std::uint64_t word = 0;
       std::memcpy(&word, &row[i], sizeof word);
       word = (word & 0xFFFFFF) | ((word >> 8) & 0xFFFFFF000000);
