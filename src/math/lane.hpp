@@ -6,6 +6,9 @@
 #include <cmath>
 #include <cstdint>
 
+/// What the shading of a pixel is made of: a kernel's vectors would go through memory at every call.
+#define LUSTRO_INLINE [[gnu::always_inline]] inline
+
 namespace lustro {
 
 // clang-format off

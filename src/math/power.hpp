@@ -9,7 +9,7 @@ namespace lustro {
 
 /// log2(x). x: positive, normal. Relative error below 4e-7 (of the result, also near x = 1).
 template <class F>
-F log2_of(const F& x) {
+LUSTRO_INLINE F log2_of(const F& x) {
   using I = IntOf<F>;
   constexpr std::int32_t kSqrtHalf = 0x3F3504F3;  // the bits of sqrt(1/2): the mantissa is taken from sqrt(1/2)..sqrt(2)
   const I shifted = bits_of(x) - I(kSqrtHalf);
@@ -24,7 +24,7 @@ F log2_of(const F& x) {
 
 /// 2^y. y <= -100 gives 0, so that no intermediate is ever a denormal; y >= 127 gives 2^127. Relative error below 3e-7. Exactly 1 at y = 0.
 template <class F>
-F exp2_of(const F& y) {
+LUSTRO_INLINE F exp2_of(const F& y) {
   using I = IntOf<F>;
   const F clamped = lane_min(lane_max(y, F(-100)), F(127));
   const I whole = truncate(clamped + F(128.5F)) - I(128);  // nearest whole number, for the argument is above -128.5
@@ -39,7 +39,7 @@ F exp2_of(const F& y) {
 /// x^n with the conventions of lighting: x^0 = 1 for every x, 0 to a positive power is 0, negative x counts as 0. Below 2^-100 the result is 0,
 /// above 2^127 it is 2^127. Exactly 1 at x = 1. Relative error below 1e-6 (1 + |n log2 x|).
 template <class F>
-F power(const F& x, const F& n) {
+LUSTRO_INLINE F power(const F& x, const F& n) {
   constexpr float kSmallestNormal = 1.17549435e-38F;
   const F base = lane_max(x, F(kSmallestNormal));
   const F result = exp2_of(n * log2_of(base));

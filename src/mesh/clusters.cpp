@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "parallel/parallel_for.hpp"
 
@@ -77,7 +78,7 @@ Stretch cut(const Mesh& mesh, const std::vector<std::uint32_t>& order, std::size
       cluster.first_vertex = static_cast<std::uint32_t>(stretch.vertices.size());
       cluster.first_triangle = static_cast<std::uint32_t>(i);
     }
-    const auto& t = mesh.triangles[order.empty() ? i : order[i]];
+    const auto& t = mesh.triangles[order[i]];
     const std::uint32_t a = table.number(t[0], stretch.vertices);
     const std::uint32_t b = table.number(t[1], stretch.vertices);
     const std::uint32_t c = table.number(t[2], stretch.vertices);
@@ -87,38 +88,6 @@ Stretch cut(const Mesh& mesh, const std::vector<std::uint32_t>& order, std::size
   finish(cluster, mesh, stretch.vertices);
   stretch.clusters.push_back(cluster);
   return stretch;
-}
-
-Clusters cut_all(const Mesh& mesh, std::vector<std::uint32_t> order, int threads) {
-  const std::size_t count = mesh.triangles.size();
-  Clusters result;
-  result.corners.resize(count + Clusters::kPadding);
-  std::vector<Stretch> stretches((count + kStretch - 1) / kStretch);
-  parallel_for(stretches.size(), threads,
-               [&](std::size_t s) { stretches[s] = cut(mesh, order, s * kStretch, std::min(count, (s + 1) * kStretch), result.corners); });
-  std::vector<std::size_t> first_cluster(stretches.size() + 1);
-  std::vector<std::size_t> first_vertex(stretches.size() + 1);
-  for (std::size_t s = 0; s < stretches.size(); ++s) {
-    first_cluster[s + 1] = first_cluster[s] + stretches[s].clusters.size();
-    first_vertex[s + 1] = first_vertex[s] + stretches[s].vertices.size();
-  }
-  result.clusters.resize(first_cluster.back());
-  result.vertices.resize(first_vertex.back() + Clusters::kPadding);
-  parallel_for(stretches.size(), threads, [&](std::size_t s) {
-    std::copy(stretches[s].vertices.begin(), stretches[s].vertices.end(),
-              result.vertices.begin() + static_cast<std::ptrdiff_t>(first_vertex[s]));
-    for (std::size_t i = 0; i < stretches[s].clusters.size(); ++i) {
-      Cluster cluster = stretches[s].clusters[i];
-      cluster.first_vertex += static_cast<std::uint32_t>(first_vertex[s]);
-      result.clusters[first_cluster[s] + i] = cluster;
-    }
-    stretches[s] = {};
-  });
-  if (!order.empty()) {
-    order.resize(count + Clusters::kPadding);
-    result.triangles = std::move(order);
-  }
-  return result;
 }
 
 double half_area(const Vec3f& lower, const Vec3f& upper) {
@@ -152,6 +121,85 @@ std::uint32_t spread(std::uint32_t v) {
   v = (v | v << 8) & 0x0300F00FU;
   v = (v | v << 4) & 0x030C30C3U;
   return (v | v << 2) & 0x09249249U;
+}
+
+// Three times a triangle's centre.
+Vec3f center3(const Mesh& mesh, std::uint32_t triangle) {
+  const auto& t = mesh.triangles[triangle];
+  return (mesh.positions[t[0]] + mesh.positions[t[1]]) + mesh.positions[t[2]];
+}
+
+// Sorts a stretch of triangles along the Morton curve of their centres, so that a cluster is a patch even where a file goes row by row. Equal
+// codes keep their order.
+void sort_stretch(const Mesh& mesh, std::span<std::uint32_t> order) {
+  if (order.size() <= Cluster::kMaxTriangles) {
+    return;
+  }
+  Vec3f lower = center3(mesh, order[0]);
+  Vec3f upper = lower;
+  for (const std::uint32_t triangle : order) {
+    const Vec3f p = center3(mesh, triangle);
+    lower = {std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z)};
+    upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
+  }
+  // Cells are cubes: a flat stretch is cut as finely as its longest side allows.
+  const float size = std::max({upper.x - lower.x, upper.y - lower.y, upper.z - lower.z});
+  const float scale = size > 0 ? 255.99F / size : 0;
+  const auto cell = [scale](float p, float low) { return std::min(static_cast<std::uint32_t>(std::max((p - low) * scale, 0.0F)), 255U); };
+  std::vector<std::uint64_t> keys(order.size());
+  std::vector<std::uint64_t> sorted(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Vec3f p = center3(mesh, order[i]);
+    const std::uint64_t code = spread(cell(p.x, lower.x)) | spread(cell(p.y, lower.y)) << 1 | spread(cell(p.z, lower.z)) << 2;
+    keys[i] = code << 32 | order[i];
+  }
+  constexpr std::size_t kDigit = 4096;
+  for (const int shift : {32, 44}) {  // radix sort, stable
+    std::array<std::uint32_t, kDigit + 1> begin{};
+    for (const std::uint64_t key : keys) {
+      ++begin[(key >> shift) % kDigit + 1];
+    }
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    for (const std::uint64_t key : keys) {
+      sorted[begin[(key >> shift) % kDigit]++] = key;
+    }
+    keys.swap(sorted);
+  }
+  std::transform(keys.begin(), keys.end(), order.begin(), [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
+}
+
+Clusters cut_all(const Mesh& mesh, std::vector<std::uint32_t> order, int threads) {
+  const std::size_t count = mesh.triangles.size();
+  Clusters result;
+  result.corners.resize(count + Clusters::kPadding);
+  std::vector<Stretch> stretches((count + kStretch - 1) / kStretch);
+  parallel_for(stretches.size(), threads, [&](std::size_t s) {
+    const std::size_t first = s * kStretch;
+    const std::size_t last = std::min(count, first + kStretch);
+    sort_stretch(mesh, std::span(order).subspan(first, last - first));
+    stretches[s] = cut(mesh, order, first, last, result.corners);
+  });
+  std::vector<std::size_t> first_cluster(stretches.size() + 1);
+  std::vector<std::size_t> first_vertex(stretches.size() + 1);
+  for (std::size_t s = 0; s < stretches.size(); ++s) {
+    first_cluster[s + 1] = first_cluster[s] + stretches[s].clusters.size();
+    first_vertex[s + 1] = first_vertex[s] + stretches[s].vertices.size();
+  }
+  result.clusters.resize(first_cluster.back());
+  result.vertices.resize(first_vertex.back() + Clusters::kPadding);
+  parallel_for(stretches.size(), threads, [&](std::size_t s) {
+    std::copy(stretches[s].vertices.begin(), stretches[s].vertices.end(),
+              result.vertices.begin() + static_cast<std::ptrdiff_t>(first_vertex[s]));
+    for (std::size_t i = 0; i < stretches[s].clusters.size(); ++i) {
+      Cluster cluster = stretches[s].clusters[i];
+      cluster.first_vertex += static_cast<std::uint32_t>(first_vertex[s]);
+      result.clusters[first_cluster[s] + i] = cluster;
+    }
+    stretches[s] = {};
+  });
+  order.resize(count + Clusters::kPadding);
+  result.triangles = std::move(order);
+  return result;
 }
 
 // Triangles along the Morton curve of their centres; equal codes keep their order.
@@ -195,7 +243,9 @@ Clusters make_clusters(const Mesh& mesh, int threads) {
   if (mesh.triangles.empty()) {
     return {};
   }
-  Clusters clusters = cut_all(mesh, {}, threads);
+  std::vector<std::uint32_t> order(mesh.triangles.size());
+  std::iota(order.begin(), order.end(), 0U);
+  Clusters clusters = cut_all(mesh, std::move(order), threads);
   const Bounds bounds = bounds_of(clusters);
   if (!is_scattered(clusters, bounds)) {
     return clusters;

@@ -30,12 +30,11 @@ struct Clusters {
   std::vector<Cluster> clusters;
   std::vector<std::uint32_t> vertices;   ///< the mesh's vertices, cluster by cluster (+ kPadding)
   std::vector<std::uint32_t> corners;    ///< a triangle's three vertices within its cluster: a | b << 8 | c << 16 (+ kPadding)
-  std::vector<std::uint32_t> triangles;  ///< its index in the mesh (+ kPadding); empty: the mesh's own order
-
-  [[nodiscard]] std::uint32_t triangle_at(std::uint32_t i) const { return triangles.empty() ? i : triangles[i]; }
+  std::vector<std::uint32_t> triangles;  ///< its index in the mesh (+ kPadding)
 };
 
-/// Cuts the triangles in their order, where neighbours in the file are neighbours in space; else along a space-filling curve (Morton 1966).
+/// Cuts the triangles along a space-filling curve (Morton 1966): within stretches of the file, where neighbours in the file are roughly
+/// neighbours in space; else through the whole mesh.
 /// The result depends on the mesh alone, not on the number of threads.
 ///
 /// mesh  indices inside their arrays, positions finite

@@ -312,8 +312,8 @@ HWY_INLINE Vec3<Float> add_fog(const ShadingFog& fog, const Vec3<Float>& positio
 }
 
 /// Parts of pixels: everything that is known of them goes into the outputs, at their places.
-HWY_INLINE void shade_parts(const Frame& frame, TileScratch& s, const Instance& instance, const ShadingMaterial& material, std::size_t begin,
-                            std::size_t count) {
+inline HWY_NOINLINE void shade_parts(const Frame& frame, TileScratch& s, const Instance& instance, const ShadingMaterial& material,
+                                     std::size_t begin, std::size_t count) {
   const PreparedScene& scene = *frame.scene;
   const Batch batch = make_batch(frame, s, s.parts, instance, material, begin, count);
   const OutputSlot out{s, begin};
@@ -384,8 +384,8 @@ HWY_INLINE Int stored_byte(const Frame& frame, Float color) {
 }
 
 /// Fragments that are all of their pixels: lit, summed and stored.
-HWY_INLINE void shade_whole(const Frame& frame, TileScratch& s, const Instance& instance, const ShadingMaterial& material, std::size_t begin,
-                            std::size_t count) {
+inline HWY_NOINLINE void shade_whole(const Frame& frame, TileScratch& s, const Instance& instance, const ShadingMaterial& material,
+                                     std::size_t begin, std::size_t count) {
   const PreparedScene& scene = *frame.scene;
   const Batch batch = make_batch(frame, s, s.whole, instance, material, begin, count);
   const OutputSlot no_output{s, 0};

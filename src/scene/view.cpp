@@ -69,7 +69,8 @@ Result<void> choose_depths(View& view, const Camera& camera, const Extent& exten
   if (view.projection == Projection::perspective) {
     // Depth is kept as a float 1/w, whose relative precision is the same at every distance: a small near plane costs nothing.
     view.far = std::max(view.far, camera.far ? 0.0 : slack);
-    view.near = camera.near.value_or(std::max(range.nearest - slack, 1e-5 * view.far));
+    // Half the way leaves room before the first triangle, so that renderers which cull by boxes need not clip there.
+    view.near = camera.near.value_or(std::max(range.nearest * 0.5, 1e-5 * view.far));
     if (!camera.near && view.near >= view.far) {
       view.near = 1e-5 * view.far;
     }

@@ -20,7 +20,7 @@ struct ShadingFog {
 /// f: the share of the surface's colour that reaches the eye, 0..1.
 ///   linear (end - d) / (end - start)      exp e^(-density d)      exp2 e^(-(density d)^2)
 template <class F>
-F fog_factor(const ShadingFog& fog, const F& distance) {
+LUSTRO_INLINE F fog_factor(const ShadingFog& fog, const F& distance) {
   constexpr float kLog2E = 1.44269504F;
   if (fog.mode == FogMode::linear) {
     return clamp01((F(fog.end) - distance) * F(fog.range_scale));

@@ -17,13 +17,13 @@ template <class F>
 using Weights = std::array<F, 3>;
 
 template <class F>
-Vec3<F> weighted_sum(const std::array<Vec3<F>, 3>& values, const Weights<F>& w) {
+LUSTRO_INLINE Vec3<F> weighted_sum(const std::array<Vec3<F>, 3>& values, const Weights<F>& w) {
   return (values[0] * w[0] + values[1] * w[1]) + values[2] * w[2];
 }
 
 /// The weighted sum, normalised; `fallback` where the normals cancel.
 template <class F>
-Vec3<F> lerp_normal(const std::array<Vec3<F>, 3>& normals, const Weights<F>& w, const Vec3<F>& fallback) {
+LUSTRO_INLINE Vec3<F> lerp_normal(const std::array<Vec3<F>, 3>& normals, const Weights<F>& w, const Vec3<F>& fallback) {
   const Vec3<F> sum = weighted_sum(normals, w);
   const F length2 = dot(sum, sum);
   const auto cancels = length2 < F(1e-12F);

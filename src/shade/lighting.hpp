@@ -76,7 +76,7 @@ struct Terms {
 
 /// f = 1 / (c + l d + q d^2), or 1 / d^p; at most the limit.
 template <class F>
-F attenuate(const ShadingLight& light, const F& distance) {
+LUSTRO_INLINE F attenuate(const ShadingLight& light, const F& distance) {
   F attenuation;
   if (light.falloff == 0.0F) {
     const Vec3<F> c = vec_cast<F>(light.attenuation);
@@ -89,7 +89,7 @@ F attenuate(const ShadingLight& light, const F& distance) {
 
 /// s = 0 outside the cutoff, else cs^exponent, faded from 1 at the beam to 0 at the cutoff by smoothstep between the cosines.
 template <class F>
-F spot_factor(const ShadingLight& light, const F& cs) {
+LUSTRO_INLINE F spot_factor(const ShadingLight& light, const F& cs) {
   F spot = power(cs, F(light.exponent));
   if (light.beam_scale != 0.0F) {
     const F t = clamp01((cs - F(light.cos_cutoff)) * F(light.beam_scale));
@@ -100,7 +100,7 @@ F spot_factor(const ShadingLight& light, const F& cs) {
 
 /// L, distance, f and s of a light at a point.
 template <class F>
-Incident<F> incident_light(const ShadingLight& light, const Vec3<F>& position) {
+LUSTRO_INLINE Incident<F> incident_light(const ShadingLight& light, const Vec3<F>& position) {
   if (light.type == LightType::directional) {
     return {vec_cast<F>(-light.travel), F(0), F(1), F(1)};
   }
@@ -116,19 +116,19 @@ Incident<F> incident_light(const ShadingLight& light, const Vec3<F>& position) {
 
 /// R = 2 (N.L) N - L
 template <class F>
-Vec3<F> reflect_about(const Vec3<F>& normal, const Vec3<F>& to_light) {
+LUSTRO_INLINE Vec3<F> reflect_about(const Vec3<F>& normal, const Vec3<F>& to_light) {
   return normal * (F(2) * dot(normal, to_light)) - to_light;
 }
 
 /// R.V
 template <class F>
-F r_dot_v(const Surface<F>& s, const Vec3<F>& to_light) {
+LUSTRO_INLINE F r_dot_v(const Surface<F>& s, const Vec3<F>& to_light) {
   return dot(reflect_about(s.normal, to_light), s.to_eye);
 }
 
 /// N.H, 0 where L and V are opposite and H does not exist.
 template <class F>
-F n_dot_h(const Surface<F>& s, const Vec3<F>& to_light) {
+LUSTRO_INLINE F n_dot_h(const Surface<F>& s, const Vec3<F>& to_light) {
   const Vec3<F> sum = to_light + s.to_eye;
   return dot(s.normal, sum) / lane_max(length(sum), F(1e-15F));
 }
@@ -138,7 +138,7 @@ F n_dot_h(const Surface<F>& s, const Vec3<F>& to_light) {
 ///   phong        (n + 2) / 2                            Lafortune and Willems 1994, times pi for classic units
 ///   blinn-phong  (n + 2) (n + 4) / (8 (2^(-n/2) + n))   exact at normal incidence, times pi
 template <Lighting model, class F>
-F lobe_normalization(const F& n) {
+LUSTRO_INLINE F lobe_normalization(const F& n) {
   if constexpr (model == Lighting::phong) {
     return (n + F(2)) * F(0.5F);
   } else {
@@ -148,7 +148,10 @@ F lobe_normalization(const F& n) {
 
 /// spec, gated: 0 where N.L <= 0.
 template <Lighting model, class F>
-F specular_factor(const Surface<F>& s, const F& shininess, const Vec3<F>& to_light, const F& n_dot_l, bool normalized) {
+LUSTRO_INLINE F specular_factor(const Surface<F>& s, const F& shininess, const Vec3<F>& to_light, const F& n_dot_l, bool normalized) {
+  if (!any_of(n_dot_l > F(0))) {
+    return F(0);  // what the gate below would say, without the power
+  }
   F cosine;
   if constexpr (model == Lighting::phong) {
     cosine = r_dot_v(s, to_light);
@@ -164,7 +167,8 @@ F specular_factor(const Surface<F>& s, const F& shininess, const Vec3<F>& to_lig
 
 /// f s [ k_a l_a + k_d l_d max(N.L, 0) + k_s l_s spec ]: one light's part.
 template <Lighting model, class F>
-LightTerms<F> reflect_light(const Surface<F>& s, const Coefficients<F>& k, const ShadingLight& light, const Incident<F>& in, bool normalized) {
+LUSTRO_INLINE LightTerms<F> reflect_light(const Surface<F>& s, const Coefficients<F>& k, const ShadingLight& light, const Incident<F>& in,
+                                          bool normalized) {
   const F strength = in.attenuation * in.spot;
   const F n_dot_l = dot(s.normal, in.to_light);
   LightTerms<F> part;
@@ -179,8 +183,8 @@ LightTerms<F> reflect_light(const Surface<F>& s, const Coefficients<F>& k, const
 
 /// The whole equation at one point. visit(i, incident, part) sees every light's part, in order.
 template <Lighting model, class F, class Visit>
-Terms<F> light_surface(const Surface<F>& s, const Coefficients<F>& k, const Vec3f& ambient_light, std::span<const ShadingLight> lights,
-                       bool normalized, Visit&& visit) {
+LUSTRO_INLINE Terms<F> light_surface(const Surface<F>& s, const Coefficients<F>& k, const Vec3f& ambient_light,
+                                     std::span<const ShadingLight> lights, bool normalized, Visit&& visit) {
   if constexpr (model == Lighting::constant) {
     return {{}, k.diffuse, {}, {}};
   } else {
@@ -199,8 +203,8 @@ Terms<F> light_surface(const Surface<F>& s, const Coefficients<F>& k, const Vec3
 
 /// The same with the model chosen at run time.
 template <class F, class Visit>
-Terms<F> light_surface(Lighting model, const Surface<F>& s, const Coefficients<F>& k, const Vec3f& ambient_light,
-                       std::span<const ShadingLight> lights, bool normalized, Visit&& visit) {
+LUSTRO_INLINE Terms<F> light_surface(Lighting model, const Surface<F>& s, const Coefficients<F>& k, const Vec3f& ambient_light,
+                                     std::span<const ShadingLight> lights, bool normalized, Visit&& visit) {
   switch (model) {
     case Lighting::constant:
       return light_surface<Lighting::constant>(s, k, ambient_light, lights, normalized, visit);
