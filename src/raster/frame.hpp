@@ -151,8 +151,9 @@ struct TileScratch {
   std::vector<Vec3f> light_parts;
 
   std::vector<std::uint32_t> sorted_clusters;  ///< the tile's, the nearest first
-  static constexpr int kBlock = 8;             ///< pixels of a block's side
-  std::vector<float> block_farthest;           ///< the smallest depth key in each block; -1: nothing drawn yet; below: to be found again
+  static constexpr int kBlockWidth = 16;       ///< pixels
+  static constexpr int kBlockHeight = 8;
+  std::vector<float> block_farthest;  ///< the smallest depth key in each block; -1: nothing drawn yet; below: to be found again
   std::size_t blocks_x = 0;
 
   double visibility_seconds = 0;

@@ -7,6 +7,7 @@
 
 #include <bit>
 #include <cstring>
+#include <type_traits>
 
 #include "raster/frame.hpp"
 #include "simd/lanes.hpp"
@@ -32,14 +33,14 @@ struct PixelRange {
   int left, top, right, bottom;
 };
 
-/// An equally near triangle is seen where it comes first in the scene. Rare, so lane by lane.
-inline HWY_NOINLINE bool settle_ties(TileScratch& s, Mask ties, std::size_t at, std::uint32_t record) {
-  alignas(64) std::array<std::uint32_t, kLanes> tied{};
-  store_where(ties, tied.data(), Int(1));
+/// An equally near triangle is seen where it comes first in the scene. Rare, so lane by lane; `columns` of them lie in a row.
+inline HWY_NOINLINE bool settle_ties(TileScratch& s, std::uint32_t ties, std::size_t at, std::size_t columns, std::uint32_t record) {
   bool has_won = false;
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    if (tied[i] != 0 && s.records[record].id < s.records[s.winner[at + i]].id) {
-      s.winner[at + i] = record;
+  for (; ties != 0; ties &= ties - 1) {
+    const auto lane = static_cast<std::size_t>(__builtin_ctz(ties));
+    std::uint32_t& winner = s.winner[at + lane / columns * s.stride + lane % columns];
+    if (s.records[record].id < s.records[winner].id) {
+      winner = record;
       has_won = true;
     }
   }
@@ -54,7 +55,7 @@ HWY_INLINE bool merge(TileScratch& s, Mask inside, Float key, Float farthest, st
   const Mask ties = is_near & (key == old);
   bool has_won = false;
   if (HWY_UNLIKELY(any_of(ties))) {
-    has_won = settle_ties(s, ties, at, record);
+    has_won = settle_ties(s, mask_bits(ties), at, kLanes, record);
   }
   if (any_of(wins)) {
     store_where(wins, &s.depth_key[at], key);
@@ -64,12 +65,32 @@ HWY_INLINE bool merge(TileScratch& s, Mask inside, Float key, Float farthest, st
   return has_won;
 }
 
+#if HWY_TARGET != HWY_SCALAR
+/// The same for a patch.
+HWY_INLINE bool merge_patch(TileScratch& s, Mask inside, Float key, Float farthest, std::size_t at, std::uint32_t record) {
+  const Float old = load_patch(&s.depth_key[at], s.stride);
+  const Mask is_near = inside & (key >= farthest);
+  const Mask wins = is_near & (key > old);
+  const Mask ties = is_near & (key == old);
+  bool has_won = false;
+  if (HWY_UNLIKELY(any_of(ties))) {
+    has_won = settle_ties(s, mask_bits(ties), at, 4, record);
+  }
+  if (any_of(wins)) {
+    store_patch(&s.depth_key[at], s.stride, select(wins, key, old));
+    store_patch(&s.winner[at], s.stride, select(wins, Int(static_cast<std::int32_t>(record)), load_patch(&s.winner[at], s.stride)));
+    has_won = true;
+  }
+  return has_won;
+}
+#endif
+
 /// 0 on a top or left edge, whose points are inside, else -1.
 HWY_INLINE std::int32_t edge_bias(std::int32_t from_x, std::int32_t from_y, std::int32_t to_x, std::int32_t to_y) {
   return to_y < from_y || (to_y == from_y && to_x > from_x) ? 0 : -1;
 }
 
-/// One triangle whose edge functions fit 32 bits.
+/// One triangle whose edge functions fit 32 bits: in patches where it is narrow, else in rows.
 inline HWY_NOINLINE bool fill_small(const Canvas& c, const Record& t, std::uint32_t record, const PixelRange& range) {
   TileScratch& s = c.scratch;
   const Float key0(t.key[0]);
@@ -84,45 +105,74 @@ inline HWY_NOINLINE bool fill_small(const Canvas& c, const Record& t, std::uint3
   const Int bias0(edge_bias(t.x[1], t.y[1], t.x[2], t.y[2]));
   const Int bias1(edge_bias(t.x[2], t.y[2], t.x[0], t.y[0]));
   const Int bias2(edge_bias(t.x[0], t.y[0], t.x[1], t.y[1]));
-  const Int numbers = lane_numbers() * Int(kSubpixelUnits);
-  const Int across0 = numbers * Int(-dy0), across1 = numbers * Int(-dy1), across2 = numbers * Int(-dy2);
-  constexpr int kStep = static_cast<int>(kLanes) * kSubpixelUnits;
+  const auto x0 = t.x[0], x1 = t.x[1], x2 = t.x[2], y0 = t.y[0], y1 = t.y[1], y2 = t.y[2];
 
-  bool has_won = false;
-  for (std::size_t sample = 0; sample < c.frame.pattern.size(); ++sample) {
-    const std::int32_t px = range.left * kSubpixelUnits + kSubpixelUnits / 2 + c.frame.pattern[sample].x;
-    const std::int32_t py = range.top * kSubpixelUnits + kSubpixelUnits / 2 + c.frame.pattern[sample].y;
-    Int row0 = across0 + Int(dx0 * (py - t.y[1]) - dy0 * (px - t.x[1]));
-    Int row1 = across1 + Int(dx1 * (py - t.y[2]) - dy1 * (px - t.x[2]));
-    Int row2 = across2 + Int(dx2 * (py - t.y[0]) - dy2 * (px - t.x[0]));
-    std::size_t at = sample * s.plane + c.at(range.left, range.top);
-    for (int y = range.top; y <= range.bottom; ++y) {
-      Int e0 = row0;
-      Int e1 = row1;
-      Int e2 = row2;
-      std::size_t here = at;
-      for (int x = range.left;;) {
-        const Mask inside = !(((e0 + bias0) | (e1 + bias1) | (e2 + bias2)) < Int(0));
-        if (any_of(inside)) {
-          const Float key = (key0 + slope1 * to_float(e1)) + slope2 * to_float(e2);
-          has_won |= merge(s, inside, key, farthest, here, record);
+  // How lanes lie: kColumns beside each other, kRows below each other.
+  const auto fill = [&]([[maybe_unused]] auto is_patch) {
+#if HWY_TARGET == HWY_SCALAR
+    constexpr bool kIsPatch = false;
+    constexpr std::size_t kRows = 1;
+#else
+    constexpr bool kIsPatch = decltype(is_patch)::value;
+    constexpr std::size_t kRows = kIsPatch ? kPatchRows : 1;
+#endif
+    constexpr int kColumns = static_cast<int>(kLanes / kRows);
+    const Int row_of = kIsPatch ? lane_numbers() >> 2 : Int(0);
+    const Int column_of = kIsPatch ? lane_numbers() & Int(3) : lane_numbers();
+    const Int x_of = column_of * Int(kSubpixelUnits), y_of = row_of * Int(kSubpixelUnits);
+    const Int lanes0 = y_of * Int(dx0) - x_of * Int(dy0);
+    const Int lanes1 = y_of * Int(dx1) - x_of * Int(dy1);
+    const Int lanes2 = y_of * Int(dx2) - x_of * Int(dy2);
+    const Int right0(dy0 * (kColumns * kSubpixelUnits)), right1(dy1 * (kColumns * kSubpixelUnits)), right2(dy2 * (kColumns * kSubpixelUnits));
+    constexpr int kDown = static_cast<int>(kRows) * kSubpixelUnits;
+    const Int down0(dx0 * kDown), down1(dx1 * kDown), down2(dx2 * kDown);
+    bool has_won = false;
+    for (std::size_t sample = 0; sample < c.frame.pattern.size(); ++sample) {
+      const std::int32_t px = range.left * kSubpixelUnits + kSubpixelUnits / 2 + c.frame.pattern[sample].x;
+      const std::int32_t py = range.top * kSubpixelUnits + kSubpixelUnits / 2 + c.frame.pattern[sample].y;
+      Int row0 = lanes0 + Int(dx0 * (py - y1) - dy0 * (px - x1));
+      Int row1 = lanes1 + Int(dx1 * (py - y2) - dy1 * (px - x2));
+      Int row2 = lanes2 + Int(dx2 * (py - y0) - dy2 * (px - x0));
+      std::size_t at = sample * s.plane + c.at(range.left, range.top);
+      for (int y = range.top; y <= range.bottom; y += static_cast<int>(kRows)) {
+        Int e0 = row0;
+        Int e1 = row1;
+        Int e2 = row2;
+        std::size_t here = at;
+        for (int x = range.left;;) {
+          Mask inside = !(((e0 + bias0) | (e1 + bias1) | (e2 + bias2)) < Int(0));
+          if constexpr (kIsPatch) {  // rows below the tile are not its own
+            inside = inside & !(row_of > Int(range.bottom - y));
+          }
+          if (any_of(inside)) {
+            const Float key = (key0 + slope1 * to_float(e1)) + slope2 * to_float(e2);
+#if HWY_TARGET != HWY_SCALAR
+            if constexpr (kIsPatch) {
+              has_won |= merge_patch(s, inside, key, farthest, here, record);
+            } else
+#endif
+            {
+              has_won |= merge(s, inside, key, farthest, here, record);
+            }
+          }
+          x += kColumns;
+          if (x > range.right) {
+            break;
+          }
+          here += static_cast<std::size_t>(kColumns);
+          e0 = e0 - right0;
+          e1 = e1 - right1;
+          e2 = e2 - right2;
         }
-        x += static_cast<int>(kLanes);
-        if (x > range.right) {
-          break;
-        }
-        here += kLanes;
-        e0 = e0 - Int(dy0 * kStep);
-        e1 = e1 - Int(dy1 * kStep);
-        e2 = e2 - Int(dy2 * kStep);
+        at += kRows * s.stride;
+        row0 = row0 + down0;
+        row1 = row1 + down1;
+        row2 = row2 + down2;
       }
-      at += s.stride;
-      row0 = row0 + Int(dx0 * kSubpixelUnits);
-      row1 = row1 + Int(dx1 * kSubpixelUnits);
-      row2 = row2 + Int(dx2 * kSubpixelUnits);
     }
-  }
-  return has_won;
+    return has_won;
+  };
+  return kLanes > 4 && range.right - range.left < 8 ? fill(std::true_type()) : fill(std::false_type());
 }
 
 /// One triangle of any size: the same with whole numbers in doubles.
@@ -499,19 +549,24 @@ inline void fill_loose(const Canvas& c, std::uint32_t index) {
 /// The smallest depth key in a block of the tile, over all samples: what lies wholly behind it is not seen.
 inline HWY_NOINLINE float find_farthest(const Canvas& c, std::size_t block_x, std::size_t block_y) {
   const TileScratch& s = c.scratch;
-  constexpr auto kBlock = static_cast<std::size_t>(TileScratch::kBlock);
+  constexpr auto kWidth = static_cast<std::size_t>(TileScratch::kBlockWidth);
+  constexpr auto kHeight = static_cast<std::size_t>(TileScratch::kBlockHeight);
   const auto rows = static_cast<std::size_t>(c.area.bottom - c.area.top);
-  const auto columns = static_cast<std::size_t>(c.area.right - c.area.left);
-  const std::size_t end_y = (block_y + 1) * kBlock < rows ? (block_y + 1) * kBlock : rows;
-  const std::size_t end_x = (block_x + 1) * kBlock < columns ? (block_x + 1) * kBlock : columns;
-  float farthest = 3e38F;
+  const std::size_t end_y = (block_y + 1) * kHeight < rows ? (block_y + 1) * kHeight : rows;
+  Float lowest(3e38F);
   for (std::size_t sample = 0; sample < c.frame.pattern.size(); ++sample) {
-    for (std::size_t y = block_y * kBlock; y < end_y; ++y) {
-      const float* row = &s.depth_key[sample * s.plane + y * s.stride];
-      for (std::size_t x = block_x * kBlock; x < end_x; ++x) {
-        farthest = row[x] < farthest ? row[x] : farthest;
+    for (std::size_t y = block_y * kHeight; y < end_y; ++y) {
+      const float* row = &s.depth_key[sample * s.plane + y * s.stride + block_x * kWidth];
+      for (std::size_t x = 0; x < kWidth; x += kLanes) {  // beyond the tile's right edge nothing is drawn, so nothing is hidden
+        lowest = lane_min(load(row + x), lowest);
       }
     }
+  }
+  alignas(64) std::array<float, kLanes> lanes;
+  store(lanes.data(), lowest);
+  float farthest = lanes[0];
+  for (std::size_t i = 1; i < kLanes; ++i) {
+    farthest = lanes[i] < farthest ? lanes[i] : farthest;
   }
   return farthest;
 }
@@ -521,12 +576,14 @@ struct BlockRange {
   std::size_t left, top, right, bottom;  // bounds included
 };
 HWY_INLINE BlockRange blocks_of(const Canvas& c, const VisibleCluster& cluster) {
-  const auto block = [](int pixel, int low, int high) {
+  const auto block = [](int pixel, int low, int high, int size) {
     const int inside = pixel < low ? low : (pixel >= high ? high - 1 : pixel);
-    return static_cast<std::size_t>((inside - low) / TileScratch::kBlock);
+    return static_cast<std::size_t>((inside - low) / size);
   };
-  return {block(cluster.left, c.area.left, c.area.right), block(cluster.top, c.area.top, c.area.bottom),
-          block(cluster.right, c.area.left, c.area.right), block(cluster.bottom, c.area.top, c.area.bottom)};
+  constexpr int kWidth = TileScratch::kBlockWidth;
+  constexpr int kHeight = TileScratch::kBlockHeight;
+  return {block(cluster.left, c.area.left, c.area.right, kWidth), block(cluster.top, c.area.top, c.area.bottom, kHeight),
+          block(cluster.right, c.area.left, c.area.right, kWidth), block(cluster.bottom, c.area.top, c.area.bottom, kHeight)};
 }
 
 /// Whether everything in the cluster's blocks is nearer than the cluster can be. An equally near triangle may win by its number.

@@ -42,7 +42,7 @@ struct Faces {
   }
   [[nodiscard]] Vec3<Float> face_normal() const { return normalize(instance.normal_from_object(object_normal())) * side; }
 
-  [[nodiscard]] Vec3<Float> normal_at(NormalInterpolation mode, const Weights<Float>& w) const {
+  [[nodiscard]] HWY_INLINE Vec3<Float> normal_at(NormalInterpolation mode, const Weights<Float>& w) const {
     const bool turns_once = instance.is_similarity;
     const std::array<Vec3<Float>, 3> n = turns_once ? std::array<Vec3<Float>, 3>{stated_normal(0), stated_normal(1), stated_normal(2)}
                                                     : std::array<Vec3<Float>, 3>{normal(0), normal(1), normal(2)};

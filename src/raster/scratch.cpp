@@ -8,14 +8,15 @@ namespace lustro {
 void TileScratch::fit(const Frame& frame) {
   stride = static_cast<std::size_t>(frame.tile_width) + kPadding;
   plane = stride * static_cast<std::size_t>(frame.tile_height);
-  const std::size_t samples = plane * frame.pattern.size() + kPadding;
+  const std::size_t samples = plane * frame.pattern.size() + 4 * stride;
   if (depth_key.size() < samples) {
     depth_key.resize(samples);
     winner.resize(samples);
   }
   material_begin.resize(std::max(material_begin.size(), frame.scene->materials.size() + 1));
-  blocks_x = static_cast<std::size_t>((frame.tile_width + kBlock - 1) / kBlock);
-  block_farthest.resize(std::max(block_farthest.size(), blocks_x * static_cast<std::size_t>((frame.tile_height + kBlock - 1) / kBlock)));
+  blocks_x = static_cast<std::size_t>((frame.tile_width + kBlockWidth - 1) / kBlockWidth);
+  const std::size_t blocks_y = static_cast<std::size_t>((frame.tile_height + kBlockHeight - 1) / kBlockHeight);
+  block_farthest.resize(std::max(block_farthest.size(), blocks_x * blocks_y));
   if (frame.wants_lights) {
     light_output.resize(std::max(light_output.size(), frame.scene->lights.size() * 3 * (kFragments + kPadding)));
     light_parts.resize(frame.scene->lights.size());

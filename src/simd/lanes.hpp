@@ -122,6 +122,33 @@ HWY_INLINE Int lane_numbers() { return hn::Iota(kInts, 0); }
 /// The first `count` lanes.
 HWY_INLINE Mask first_lanes(std::size_t count) { return hn::FirstN(kFloats, count); }
 
+/// kLanes samples in rows of four: what a small triangle's box is, rather than a long row. Lane i lies in column i % 4 of row i / 4.
+#if HWY_TARGET != HWY_SCALAR
+inline constexpr std::size_t kPatchRows = kLanes / 4;
+template <class T> using RowTag = hn::FixedTag<T, 4>;
+template <class T, class Tag> HWY_INLINE hn::Vec<Tag> load_rows(Tag tag, const T* p, std::size_t stride) {
+  if constexpr (hn::MaxLanes(Tag()) == 4) {
+    return hn::LoadU(tag, p);
+  } else {
+    const hn::Half<Tag> half;
+    return hn::Combine(tag, load_rows(half, p + stride * (hn::MaxLanes(Tag()) / 8), stride), load_rows(half, p, stride));
+  }
+}
+template <class T, class Tag> HWY_INLINE void store_rows(Tag tag, hn::Vec<Tag> v, T* p, std::size_t stride) {
+  if constexpr (hn::MaxLanes(Tag()) == 4) {
+    hn::StoreU(v, tag, p);
+  } else {
+    const hn::Half<Tag> half;
+    store_rows(half, hn::LowerHalf(half, v), p, stride);
+    store_rows(half, hn::UpperHalf(half, v), p + stride * (hn::MaxLanes(Tag()) / 8), stride);
+  }
+}
+HWY_INLINE Float load_patch(const float* p, std::size_t stride) { return load_rows(kFloats, p, stride); }
+HWY_INLINE Int load_patch(const std::uint32_t* p, std::size_t stride) { return hn::BitCast(kInts, load_rows(kUints, p, stride)); }
+HWY_INLINE void store_patch(float* p, std::size_t stride, Float a) { store_rows(kFloats, a.v, p, stride); }
+HWY_INLINE void store_patch(std::uint32_t* p, std::size_t stride, Int a) { store_rows(kUints, hn::BitCast(kUints, a.v), p, stride); }
+#endif
+
 /// N doubles: room for products of image coordinates, which stay exact below 2^53. narrow() rounds to the nearest float, as a conversion of the
 /// whole number to float does.
 #if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_WASM  // one lane has no halves; Highway 1.0 has no doubles for WebAssembly
