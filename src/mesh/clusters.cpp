@@ -13,6 +13,13 @@ namespace {
 
 constexpr std::size_t kStretch = 16384;  // triangles that one job cuts; clusters do not cross its ends
 
+Vec3f least(const Vec3f& a, const Vec3f& b) {
+  return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+}
+Vec3f greatest(const Vec3f& a, const Vec3f& b) {
+  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+}
+
 // The vertices of the cluster that is being cut: a small open hash, forgotten by counting up its stamp.
 class VertexTable {
  public:
@@ -54,8 +61,8 @@ void finish(Cluster& cluster, const Mesh& mesh, const std::vector<std::uint32_t>
   cluster.lower = cluster.upper = mesh.positions[vertices[cluster.first_vertex]];
   for (std::size_t i = cluster.first_vertex; i < vertices.size(); ++i) {
     const Vec3f& p = mesh.positions[vertices[i]];
-    cluster.lower = {std::min(cluster.lower.x, p.x), std::min(cluster.lower.y, p.y), std::min(cluster.lower.z, p.z)};
-    cluster.upper = {std::max(cluster.upper.x, p.x), std::max(cluster.upper.y, p.y), std::max(cluster.upper.z, p.z)};
+    cluster.lower = least(cluster.lower, p);
+    cluster.upper = greatest(cluster.upper, p);
   }
   cluster.vertices = static_cast<std::uint16_t>(vertices.size() - cluster.first_vertex);
 }
@@ -139,8 +146,8 @@ void sort_stretch(const Mesh& mesh, std::span<std::uint32_t> order) {
   Vec3f upper = lower;
   for (const std::uint32_t triangle : order) {
     const Vec3f p = center3(mesh, triangle);
-    lower = {std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z)};
-    upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
+    lower = least(lower, p);
+    upper = greatest(upper, p);
   }
   // Cells are cubes: a flat stretch is cut as finely as its longest side allows.
   const float size = std::max({upper.x - lower.x, upper.y - lower.y, upper.z - lower.z});
@@ -197,6 +204,15 @@ Clusters cut_all(const Mesh& mesh, std::vector<std::uint32_t> order, int threads
     }
     stretches[s] = {};
   });
+  for (std::size_t c = 0; c < result.clusters.size(); ++c) {
+    const Cluster& cluster = result.clusters[c];
+    if (c % Clusters::kGroup == 0) {
+      result.groups.push_back({cluster.lower, cluster.upper});
+    }
+    Clusters::Group& group = result.groups.back();
+    group.lower = least(group.lower, cluster.lower);
+    group.upper = greatest(group.upper, cluster.upper);
+  }
   order.resize(count + Clusters::kPadding);
   result.triangles = std::move(order);
   return result;

@@ -27,7 +27,14 @@ struct Clusters {
   /// Entries that may be read behind the last one, so that kernels load whole vectors.
   static constexpr std::size_t kPadding = 16;
 
+  /// The box of kGroup clusters in a row.
+  struct Group {
+    Vec3f lower, upper;
+  };
+  static constexpr std::size_t kGroup = 64;
+
   std::vector<Cluster> clusters;
+  std::vector<Group> groups;
   std::vector<std::uint32_t> vertices;   ///< the mesh's vertices, cluster by cluster (+ kPadding)
   std::vector<std::uint32_t> corners;    ///< a triangle's three vertices within its cluster: a | b << 8 | c << 16 (+ kPadding)
   std::vector<std::uint32_t> triangles;  ///< its index in the mesh (+ kPadding)

@@ -80,20 +80,8 @@ HWY_INLINE Float edge_of(Int from_x, Int from_y, Int to_x, Int to_y, Int px, Int
   }
 }
 
-/// The words of kLanes records, by their place in a record.
-HWY_INLINE Int record_word(const TileScratch& s, Int first_word, std::size_t word) {
-  return gather(reinterpret_cast<const std::int32_t*>(s.records.data()) + word, first_word);
-}
-enum RecordWord : std::size_t {
-  word_x = 0,
-  word_y = 3,
-  word_inverse_area = 6,
-  word_key = 7,
-  word_vertex = 10,
-  word_id = 13,
-  word_material = 14,
-  word_flags = 15
-};
+/// The words of a record by their place.
+enum RecordWord : std::size_t { word_x = 0, word_y = 3, word_inverse_area = 6, word_key = 7, word_vertex = 10, word_flags = 15 };
 
 /// The weights of clipped triangles' vertices, lane by lane: rare.
 inline HWY_NOINLINE void unclip(const Frame& frame, Int flags, const Mask& clipped, const Weights<Float>& at, Weights<Float>& weights) {
@@ -120,16 +108,15 @@ inline HWY_NOINLINE void unclip(const Frame& frame, Int flags, const Mask& clipp
 }
 
 /// reference/triangle.cpp: interpolants_at()
-HWY_INLINE FragmentPlaces locate(const Frame& frame, const TileScratch& s, Int record, Int px, Int py) {
+HWY_INLINE FragmentPlaces locate(const Frame& frame, const Words& words, Int px, Int py) {
   const View& view = frame.scene->view;
-  const Int first_word = record << 4;
-  const Int flags = record_word(s, first_word, word_flags);
-  const Int x0 = record_word(s, first_word, word_x), x1 = record_word(s, first_word, word_x + 1), x2 = record_word(s, first_word, word_x + 2);
-  const Int y0 = record_word(s, first_word, word_y), y1 = record_word(s, first_word, word_y + 1), y2 = record_word(s, first_word, word_y + 2);
-  const Float inverse_area = from_bits(record_word(s, first_word, word_inverse_area));
-  const Float key0 = from_bits(record_word(s, first_word, word_key));
-  const Float key1 = from_bits(record_word(s, first_word, word_key + 1));
-  const Float key2 = from_bits(record_word(s, first_word, word_key + 2));
+  const Int flags = words[word_flags];
+  const Int x0 = words[word_x], x1 = words[word_x + 1], x2 = words[word_x + 2];
+  const Int y0 = words[word_y], y1 = words[word_y + 1], y2 = words[word_y + 2];
+  const Float inverse_area = from_bits(words[word_inverse_area]);
+  const Float key0 = from_bits(words[word_key]);
+  const Float key1 = from_bits(words[word_key + 1]);
+  const Float key2 = from_bits(words[word_key + 2]);
   Float e1, e2;
   if (HWY_LIKELY(all_of((flags & Int(Record::kSmall)) > Int(0)))) {
     e1 = edge_of<true>(x2, y2, x0, y0, px, py);
@@ -271,24 +258,27 @@ struct Batch {
 HWY_INLINE Batch make_batch(const Frame& frame, const TileScratch& s, const TileScratch::Fragments& fragments, const Instance& instance,
                             const ShadingMaterial& material, std::size_t begin, std::size_t count) {
   const PreparedScene& scene = *frame.scene;
-  Int record = load(&fragments.record[begin]);
   Int px = load(&fragments.x[begin]);
   Int py = load(&fragments.y[begin]);
-  if (count < kLanes) {
+  Words words;
+  const auto* records = reinterpret_cast<const std::uint32_t*>(s.records.data());
+  if (HWY_LIKELY(count >= kLanes)) {
+    transpose(records, &fragments.record[begin], words);
+  } else {
     const Mask is_used = first_lanes(count);
-    record = select(is_used, record, Int(static_cast<std::int32_t>(fragments.record[begin])));
     px = select(is_used, px, Int(fragments.x[begin]));
     py = select(is_used, py, Int(fragments.y[begin]));
+    alignas(64) std::array<std::uint32_t, kLanes> record;
+    store(record.data(), select(is_used, load(&fragments.record[begin]), Int(static_cast<std::int32_t>(fragments.record[begin]))));
+    transpose(records, record.data(), words);
   }
-  const FragmentPlaces at = locate(frame, s, record, px, py);
-  const Int first_word = record << 4;
-  const Mask is_back = (record_word(s, first_word, word_flags) & Int(Record::kBack)) > Int(0);
-  const Faces faces{
-      scene,
-      instance,
-      material,
-      {record_word(s, first_word, word_vertex), record_word(s, first_word, word_vertex + 1), record_word(s, first_word, word_vertex + 2)},
-      scene.shading.two_sided ? select(is_back, Float(-1), Float(1)) : Float(1)};
+  const FragmentPlaces at = locate(frame, words, px, py);
+  const Mask is_back = (words[word_flags] & Int(Record::kBack)) > Int(0);
+  const Faces faces{scene,
+                    instance,
+                    material,
+                    {words[word_vertex], words[word_vertex + 1], words[word_vertex + 2]},
+                    scene.shading.two_sided ? select(is_back, Float(-1), Float(1)) : Float(1)};
   Vec3<Float> normal{};
   if (scene.shading.interpolation == Interpolation::phong || frame.wants_all) {
     normal = scene.shading.interpolation == Interpolation::flat ? faces.face_normal() : faces.normal_at(scene.shading.normals, at.weights);

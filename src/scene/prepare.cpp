@@ -142,29 +142,33 @@ Result<void> place(Instance& instance, const Mat4& m, const View& view, const st
 // The largest dot(direction, p) over the vertices that triangles use. Clusters whose box cannot reach farther than what was found are passed
 // over, which changes nothing: a maximum is exact, and the same in every order.
 double reach_of(const Clusters& clusters, const Mesh& mesh, const Vec3d& direction) {
-  const auto bound = [&](const Cluster& c) {
+  const auto bound = [&](const auto& box) {
     const auto farther = [](double d, float lower, float upper) {
       return std::max(d * static_cast<double>(lower), d * static_cast<double>(upper));
     };
-    const Vec3d parts{farther(direction.x, c.lower.x, c.upper.x), farther(direction.y, c.lower.y, c.upper.y),
-                      farther(direction.z, c.lower.z, c.upper.z)};
+    const Vec3d parts{farther(direction.x, box.lower.x, box.upper.x), farther(direction.y, box.lower.y, box.upper.y),
+                      farther(direction.z, box.lower.z, box.upper.z)};
     constexpr double kRounding = 1e-14;
     return ((parts.x + parts.y) + parts.z) + kRounding * ((std::abs(parts.x) + std::abs(parts.y)) + std::abs(parts.z));
   };
   double farthest = -std::numeric_limits<double>::infinity();
-  const auto look_into = [&](const Cluster& c) {
-    for (std::uint32_t i = 0; i < c.vertices; ++i) {
-      farthest = std::max(farthest, dot(direction, vec_cast<double>(mesh.positions[clusters.vertices[c.first_vertex + i]])));
+  const auto look_into = [&](std::size_t group) {
+    const std::size_t end = std::min((group + 1) * Clusters::kGroup, clusters.clusters.size());
+    for (std::size_t c = group * Clusters::kGroup; c < end; ++c) {
+      const Cluster& cluster = clusters.clusters[c];
+      for (std::uint32_t i = 0; i < cluster.vertices && bound(cluster) > farthest; ++i) {
+        farthest = std::max(farthest, dot(direction, vec_cast<double>(mesh.positions[clusters.vertices[cluster.first_vertex + i]])));
+      }
     }
   };
-  const auto first = std::max_element(clusters.clusters.begin(), clusters.clusters.end(),
-                                      [&](const Cluster& a, const Cluster& b) { return bound(a) < bound(b); });
-  if (first != clusters.clusters.end()) {
-    look_into(*first);
+  std::vector<double> bounds(clusters.groups.size());
+  std::transform(clusters.groups.begin(), clusters.groups.end(), bounds.begin(), bound);
+  if (!bounds.empty()) {  // the most promising first, so that the others are passed over
+    look_into(static_cast<std::size_t>(std::max_element(bounds.begin(), bounds.end()) - bounds.begin()));
   }
-  for (const Cluster& c : clusters.clusters) {
-    if (bound(c) > farthest) {
-      look_into(c);
+  for (std::size_t group = 0; group < bounds.size(); ++group) {
+    if (bounds[group] > farthest) {
+      look_into(group);
     }
   }
   return farthest;

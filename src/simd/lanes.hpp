@@ -8,6 +8,7 @@
 
 #include <hwy/highway.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -121,6 +122,32 @@ HWY_INLINE void store_chosen(Mask m, std::uint32_t* p, Int a) { store_chosen(m, 
 HWY_INLINE Int lane_numbers() { return hn::Iota(kInts, 0); }
 /// The first `count` lanes.
 HWY_INLINE Mask first_lanes(std::size_t count) { return hn::FirstN(kFloats, count); }
+
+/// Room for sixteen vectors, not cleared.
+struct Words {
+  hn::Vec<IntTag> w[16];
+  HWY_INLINE Int operator[](std::size_t i) const { return w[i]; }
+};
+/// kLanes structures of 16 words, transposed: words[w] holds word w of all of them. Loads of 16 bytes and shuffles cost less than 16 gathers.
+HWY_INLINE void transpose(const std::uint32_t* first, const std::uint32_t* index, Words& words) {
+#if HWY_TARGET == HWY_SCALAR
+  for (std::size_t w = 0; w < 16; ++w) {
+    words.w[w] = Int(static_cast<std::int32_t>(first[std::size_t{16} * *index + w])).v;
+  }
+#else
+  const hn::FixedTag<std::int32_t, 4> quad;
+  alignas(64) std::int32_t quads[4][4 * kLanes];
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const auto* from = reinterpret_cast<const std::int32_t*>(first) + std::size_t{16} * index[i];
+    for (std::size_t q = 0; q < 4; ++q) {
+      hn::Store(hn::LoadU(quad, from + 4 * q), quad, &quads[q][4 * i]);
+    }
+  }
+  for (std::size_t q = 0; q < 4; ++q) {
+    hn::LoadInterleaved4(kInts, quads[q], words.w[4 * q], words.w[4 * q + 1], words.w[4 * q + 2], words.w[4 * q + 3]);
+  }
+#endif
+}
 
 /// kLanes samples in rows of four: what a small triangle's box is, rather than a long row. Lane i lies in column i % 4 of row i / 4.
 #if HWY_TARGET != HWY_SCALAR
