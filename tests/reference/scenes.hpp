@@ -72,7 +72,8 @@ inline Scene rich_scene() {
   return scene;
 }
 
-inline Rendering drawn(const Scene& scene, const RenderOptions& options = {}) {
+inline Rendering drawn(const Scene& scene, RenderOptions options = {}) {
+  options.engine = Engine::reference;
   auto result = render(scene, options);
   EXPECT_TRUE(result) << (result ? "" : result.error().text());
   return result ? *std::move(result) : Rendering{};

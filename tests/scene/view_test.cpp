@@ -35,11 +35,11 @@ TEST(View, AStatedPerspectiveCameraShowsItsVerticalFieldOfView) {
   Camera camera{.eye = Vec3d{0, 0, 5}, .target = Vec3d{0, 0, 0}, .fov = 60, .near = 0.1, .far = 10};
   const View view = view_of(camera, box({-1, -1, -1}, {1, 1, 1}));
   const double top = 5 * std::tan(30 * 3.14159265358979 / 180);
-  const Vec3f p = view.point_at(200, 0, 5);
+  const Vec3f p = view.point_at<float>(200, 0, 5);
   EXPECT_NEAR(static_cast<double>(p.y), top, 1e-6);
   EXPECT_NEAR(static_cast<double>(p.x), 0, 1e-9);
   EXPECT_NEAR(static_cast<double>(p.z), -5, 1e-9);
-  EXPECT_GT(view.point_at(399, 150, 5).x, 0) << "x grows to the right";
+  EXPECT_GT(view.point_at<float>(399, 150, 5).x, 0) << "x grows to the right";
   EXPECT_EQ(view.near, 0.1);
   EXPECT_EQ(view.far, 10);
 }
@@ -47,18 +47,18 @@ TEST(View, AStatedPerspectiveCameraShowsItsVerticalFieldOfView) {
 TEST(View, AnOrthographicCameraShowsItsHeightAndLooksTheSameWayEverywhere) {
   Camera camera{.projection = Projection::orthographic, .eye = Vec3d{0, 0, 5}, .target = Vec3d{0, 0, 0}, .height = 4.0};
   const View view = view_of(camera, box({-1, -1, -1}, {1, 1, 1}));
-  EXPECT_NEAR(static_cast<double>(view.point_at(200, 0, 3).y), 2, 1e-6);
-  EXPECT_NEAR(static_cast<double>(view.point_at(200, 0, 3).z), -3, 1e-6);
-  EXPECT_EQ(view.to_eye_at(3, 7), view.to_eye_at(390, 290));
-  EXPECT_EQ(view.to_eye_at(3, 7), view.to_eye_from({9, 9, -9}));
+  EXPECT_NEAR(static_cast<double>(view.point_at<float>(200, 0, 3).y), 2, 1e-6);
+  EXPECT_NEAR(static_cast<double>(view.point_at<float>(200, 0, 3).z), -3, 1e-6);
+  EXPECT_EQ(view.to_eye_at<float>(3, 7), view.to_eye_at<float>(390, 290));
+  EXPECT_EQ(view.to_eye_at<float>(3, 7), view.to_eye_from(Vec3f{9, 9, -9}));
 }
 
 TEST(View, VPointsFromThePixelToTheEye) {
   Camera camera{.eye = Vec3d{1, 2, 5}, .target = Vec3d{0, 0, 0}};
   const View view = view_of(camera, box({-1, -1, -1}, {1, 1, 1}));
-  const Vec3f p = view.point_at(37, 211, 4);
-  EXPECT_NEAR(dot(normalize(p), view.to_eye_at(37, 211)), -1, 1e-6F);
-  EXPECT_NEAR(length(view.to_eye_at(37, 211) - view.to_eye_from(p)), 0, 1e-6F);
+  const Vec3f p = view.point_at<float>(37, 211, 4);
+  EXPECT_NEAR(dot(normalize(p), view.to_eye_at<float>(37, 211)), -1, 1e-6F);
+  EXPECT_NEAR(length(view.to_eye_at<float>(37, 211) - view.to_eye_from(p)), 0, 1e-6F);
 }
 
 TEST(View, EveryPresetFramesEverythingTightly) {

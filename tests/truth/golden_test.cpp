@@ -38,8 +38,9 @@ class Hash {
   std::uint64_t state_ = 0xCBF29CE484222325U;
 };
 
-std::string hash_of(const Scene& scene, int threads) {
+std::string hash_of(const Scene& scene, int threads, Engine engine) {
   RenderOptions options;
+  options.engine = engine;
   options.threads = threads;
   for (const AovKind kind : {AovKind::diffuse, AovKind::specular, AovKind::depth, AovKind::normal, AovKind::barycentrics}) {
     options.aovs.push_back({kind});
@@ -75,7 +76,7 @@ TEST(Golden, EverySceneHasTheBitsThatItHad) {
   if (std::getenv("LUSTRO_UPDATE_GOLDENS") != nullptr) {
     std::ofstream out(golden_file());
     for (const TreeScene& entry : scene_tree()) {
-      out << hash_of(entry.scene, 0) << ' ' << entry.name << '\n';
+      out << hash_of(entry.scene, 0, Engine::reference) << ' ' << entry.name << '\n';
     }
     GTEST_SKIP() << "wrote " << golden_file();
   }
@@ -87,9 +88,11 @@ TEST(Golden, EverySceneHasTheBitsThatItHad) {
     threads = threads % 4 + 1;
     const auto golden = goldens.find(entry->name);
     ASSERT_NE(golden, goldens.end()) << entry->name << " has no hash in " << golden_file();
-    const std::string hash = hash_of(entry->scene, threads);
-    if (hash != golden->second && ++changed <= 10) {
-      ADD_FAILURE() << entry->name << ": " << hash << ", was " << golden->second;
+    for (const Engine engine : {Engine::reference, Engine::raster}) {
+      const std::string hash = hash_of(entry->scene, threads, engine);
+      if (hash != golden->second && ++changed <= 10) {
+        ADD_FAILURE() << entry->name << (engine == Engine::raster ? " (raster): " : ": ") << hash << ", was " << golden->second;
+      }
     }
   }
   EXPECT_EQ(changed, 0) << "scenes changed; if that was meant, see the top of " << __FILE__;

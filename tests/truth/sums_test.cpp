@@ -28,6 +28,7 @@ bool same_sum(float a, float b) {
 TEST(Tree, TermsSumToThePictureExactlyAndLightsUpToRounding) {
   const std::array kTerms{AovKind::ambient, AovKind::diffuse, AovKind::specular, AovKind::emission, AovKind::fog, AovKind::background};
   RenderOptions options;
+  options.engine = Engine::reference;
   for (const AovKind kind : kTerms) {
     options.aovs.push_back({kind});
   }
@@ -64,7 +65,7 @@ TEST(Tree, ExplainTakesApartTheVeryPixelThatRenderMade) {
   std::size_t fragments = 0;
   for (std::size_t i = 0; i < scenes.size(); i += 4) {
     const Scene& scene = scenes[i]->scene;
-    const Result<Rendering> rendering = render(scene);
+    const Result<Rendering> rendering = render(scene, {.engine = Engine::reference});
     ASSERT_TRUE(rendering) << scenes[i]->name;
     const ByteImage bytes = to_bytes(rendering->color, scene.image.transfer);
     for (int pixel = 0; pixel < 20; ++pixel) {
@@ -131,8 +132,8 @@ TEST(Tree, SurvivesTheSceneFile) {
     EXPECT_EQ(scene_json(*read), text);
     const Result<Notes> loaded = load_meshes(*read, ".");
     ASSERT_TRUE(loaded) << loaded.error().text();
-    const Result<Rendering> before = render(scene);
-    const Result<Rendering> after = render(*read);
+    const Result<Rendering> before = render(scene, {.engine = Engine::reference});
+    const Result<Rendering> after = render(*read, {.engine = Engine::reference});
     ASSERT_TRUE(before && after) << scenes[i]->name;
     ASSERT_EQ(before->color.pixels, after->color.pixels) << scenes[i]->name << "\n" << text;
     ++drawn;

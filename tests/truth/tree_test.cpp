@@ -89,6 +89,7 @@ struct Judgeable {
 
 Judgeable render_for_judge(const Scene& scene) {
   RenderOptions options;
+  options.engine = Engine::reference;
   for (const AovKind kind :
        {AovKind::object, AovKind::triangle, AovKind::normal, AovKind::position, AovKind::depth, AovKind::barycentrics, AovKind::mask}) {
     options.aovs.push_back({kind});
