@@ -253,8 +253,8 @@ struct FreeCompressor {
 
 constexpr int kUsualLevel = 6;  // of libdeflate, where nobody asked
 
-/// The whole picture by libdeflate. Every row has the filter Sub: on shaded surfaces a search for repetitions finds more behind it than behind
-/// Paeth.
+/// The whole picture by libdeflate. Every row has the filter Sub: the long searches of the high levels find more behind it than behind a choice
+/// of filters, which breaks up what repeats from row to row.
 Result<void> append_small_data(std::vector<std::byte>& out, const Samples& samples, bool without_alpha, int level, int threads) {
   const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(libdeflate_alloc_compressor(level));
   if (!compressor) {
