@@ -85,7 +85,7 @@ Stretch cut(const Mesh& mesh, const std::vector<std::uint32_t>& order, std::size
       cluster.first_vertex = static_cast<std::uint32_t>(stretch.vertices.size());
       cluster.first_triangle = static_cast<std::uint32_t>(i);
     }
-    const auto& t = mesh.triangles[order[i]];
+    const auto& t = mesh.triangles[order.empty() ? i : order[i]];
     const std::uint32_t a = table.number(t[0], stretch.vertices);
     const std::uint32_t b = table.number(t[1], stretch.vertices);
     const std::uint32_t c = table.number(t[2], stretch.vertices);
@@ -183,7 +183,9 @@ Clusters cut_all(const Mesh& mesh, std::vector<std::uint32_t> order, int threads
   parallel_for(stretches.size(), threads, [&](std::size_t s) {
     const std::size_t first = s * kStretch;
     const std::size_t last = std::min(count, first + kStretch);
-    sort_stretch(mesh, std::span(order).subspan(first, last - first));
+    if (!order.empty()) {
+      sort_stretch(mesh, std::span(order).subspan(first, last - first));
+    }
     stretches[s] = cut(mesh, order, first, last, result.corners);
   });
   std::vector<std::size_t> first_cluster(stretches.size() + 1);
@@ -213,7 +215,6 @@ Clusters cut_all(const Mesh& mesh, std::vector<std::uint32_t> order, int threads
     group.lower = least(group.lower, cluster.lower);
     group.upper = greatest(group.upper, cluster.upper);
   }
-  order.resize(count + Clusters::kPadding);
   result.triangles = std::move(order);
   return result;
 }
@@ -255,12 +256,15 @@ std::vector<std::uint32_t> morton_order(const Mesh& mesh, const Bounds& bounds, 
 
 }  // namespace
 
-Clusters make_clusters(const Mesh& mesh, int threads) {
+Clusters make_clusters(const Mesh& mesh, ClusterUse use, int threads) {
   if (mesh.triangles.empty()) {
     return {};
   }
-  std::vector<std::uint32_t> order(mesh.triangles.size());
-  std::iota(order.begin(), order.end(), 0U);
+  std::vector<std::uint32_t> order;
+  if (use == ClusterUse::often) {
+    order.resize(mesh.triangles.size());
+    std::iota(order.begin(), order.end(), 0U);
+  }
   Clusters clusters = cut_all(mesh, std::move(order), threads);
   const Bounds bounds = bounds_of(clusters);
   if (!is_scattered(clusters, bounds)) {

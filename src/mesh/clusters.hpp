@@ -37,14 +37,19 @@ struct Clusters {
   std::vector<Group> groups;
   std::vector<std::uint32_t> vertices;   ///< the mesh's vertices, cluster by cluster (+ kPadding)
   std::vector<std::uint32_t> corners;    ///< a triangle's three vertices within its cluster: a | b << 8 | c << 16 (+ kPadding)
-  std::vector<std::uint32_t> triangles;  ///< its index in the mesh (+ kPadding)
+  std::vector<std::uint32_t> triangles;  ///< its index in the mesh; empty: the mesh's own order
+
+  [[nodiscard]] std::uint32_t triangle_at(std::size_t i) const { return triangles.empty() ? static_cast<std::uint32_t>(i) : triangles[i]; }
 };
 
+/// How often the clusters will be drawn: whether tidy ones are worth their making.
+enum class ClusterUse : std::uint8_t { once, often };
+
 /// Cuts the triangles along a space-filling curve (Morton 1966): within stretches of the file, where neighbours in the file are roughly
-/// neighbours in space; else through the whole mesh.
+/// neighbours in space, and in the file's own order for a single picture; else through the whole mesh.
 /// The result depends on the mesh alone, not on the number of threads.
 ///
 /// mesh  indices inside their arrays, positions finite
-[[nodiscard]] Clusters make_clusters(const Mesh& mesh, int threads);
+[[nodiscard]] Clusters make_clusters(const Mesh& mesh, ClusterUse use, int threads);
 
 }  // namespace lustro

@@ -164,7 +164,7 @@ void sort_into_tiles(Frame& frame, int threads) {
         seen[j].sights.push_back(sight);
       } else if (sight.kind == Sight::Kind::loose) {
         for (std::uint32_t t = 0; t < cluster.triangles; ++t) {
-          setup_triangle(scene, jobs[j].instance, clusters.triangles[cluster.first_triangle + t], seen[j].loose);
+          setup_triangle(scene, jobs[j].instance, clusters.triangle_at(cluster.first_triangle + t), seen[j].loose);
         }
       }
     }

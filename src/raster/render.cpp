@@ -23,6 +23,8 @@ namespace {
 
 /// What stays from one picture to the next.
 struct Workshop {
+  explicit Workshop(ClusterUse use) : meshes(use) {}
+
   MeshCache meshes;
   Frame frame;
   std::vector<std::unique_ptr<TileScratch>> scratches;  // one a thread
@@ -230,27 +232,33 @@ Result<void> draw(const Scene& scene, const RenderOptions& options, Workshop& wo
   return {};
 }
 
-}  // namespace
-
-struct Renderer::State : Workshop {};
-
-Renderer::Renderer() : state_(std::make_unique<State>()) {}
-Renderer::Renderer(Renderer&&) noexcept = default;
-Renderer& Renderer::operator=(Renderer&&) noexcept = default;
-Renderer::~Renderer() = default;
-
-Result<void> Renderer::render(const Scene& scene, const RenderOptions& options, Rendering& result) {
+Result<void> draw_within_memory(const Scene& scene, const RenderOptions& options, Workshop& workshop, Rendering& result) {
   try {
-    return draw(scene, options, *state_, result);
+    return draw(scene, options, workshop, result);
   } catch (const std::bad_alloc&) {
     return fail(ErrorKind::limit, "", fmt::format("not enough memory to draw {} x {} pixels", scene.image.width, scene.image.height));
   }
 }
 
+}  // namespace
+
+struct Renderer::State : Workshop {
+  using Workshop::Workshop;
+};
+
+Renderer::Renderer() : state_(std::make_unique<State>(ClusterUse::often)) {}
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+Renderer::~Renderer() = default;
+
+Result<void> Renderer::render(const Scene& scene, const RenderOptions& options, Rendering& result) {
+  return draw_within_memory(scene, options, *state_, result);
+}
+
 Result<Rendering> render(const Scene& scene, const RenderOptions& options) {
   Rendering result;
-  Renderer renderer;
-  if (auto drawn = renderer.render(scene, options, result); !drawn) {
+  Workshop workshop(ClusterUse::once);
+  if (auto drawn = draw_within_memory(scene, options, workshop, result); !drawn) {
     return tl::unexpected(drawn.error());
   }
   return result;

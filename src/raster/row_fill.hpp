@@ -301,7 +301,7 @@ struct TriangleSource {
   std::size_t first;  // of the lanes, within the cluster
 
   [[nodiscard]] std::uint32_t in_mesh(std::size_t lane) const {
-    return instance.drawable->clusters.triangles[cluster.first_triangle + first + lane];
+    return instance.drawable->clusters.triangle_at(cluster.first_triangle + first + lane);
   }
 };
 

@@ -109,7 +109,7 @@ Result<std::shared_ptr<const DrawableMesh>> MeshCache::get(const std::shared_ptr
   for (const Vec3f& c : drawable->mesh->colors) {
     drawable->colors.push_back(demand.encoded_colors ? Vec3f{srgb_decode(c.x), srgb_decode(c.y), srgb_decode(c.z)} : c);
   }
-  drawable->clusters = make_clusters(*drawable->mesh, threads);
+  drawable->clusters = make_clusters(*drawable->mesh, use_, threads);
   entries_.push_back({drawable, demand});
   return std::shared_ptr<const DrawableMesh>(drawable);
 }

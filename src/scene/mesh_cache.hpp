@@ -33,6 +33,9 @@ struct MeshDemand {
 
 class MeshCache {
  public:
+  /// use  how often what get() makes will be drawn
+  explicit MeshCache(ClusterUse use) : use_(use) {}
+
   /// where  for messages: `objects[3].mesh`
   /// errors  usage where a hand-built mesh does not fit together
   [[nodiscard]] Result<std::shared_ptr<const DrawableMesh>> get(const std::shared_ptr<const Mesh>& mesh, const MeshDemand& demand, int threads,
@@ -47,6 +50,7 @@ class MeshCache {
     MeshDemand demand;
     bool is_used = true;
   };
+  ClusterUse use_;
   std::vector<Entry> entries_;
 };
 

@@ -274,7 +274,7 @@ Result<void> check_image(const ImageSettings& image) {
 }  // namespace
 
 Result<PreparedScene> prepare(const Scene& scene) {
-  MeshCache cache;
+  MeshCache cache(ClusterUse::once);
   return prepare(scene, cache, 0);
 }
 
