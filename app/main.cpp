@@ -21,6 +21,7 @@ ExitCode run(std::vector<std::string> arguments) {
            make_explain,      // commands/explain.cpp      one pixel taken apart
            make_compare,      // commands/compare.cpp      how two pictures differ
            make_batch,        // commands/batch.cpp        many models to a folder of pictures
+           make_turntable,    // commands/turntable.cpp    a scene that turns, as an animation or frame by frame
            make_hash,         // commands/hash.cpp         the hash of the float picture
            make_bench,        // commands/bench.cpp        where the time of a picture goes
            make_materials,    // commands/materials.cpp    the library of materials, as a list and as a picture

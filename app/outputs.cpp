@@ -28,18 +28,7 @@ Result<void> check_output(const std::string& output) {
   if (format_of_name(file) == ImageFormat::unknown) {
     return fail(ErrorKind::unsupported, output, "pictures are written as .png, .exr or .pfm, and the name ends in none of them");
   }
-  std::error_code ignored;
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-  if (!std::filesystem::exists(folder, ignored)) {
-    return fail(ErrorKind::io, output, fmt::format("there is no folder {}", folder.string()));
-  }
-  if (std::filesystem::is_directory(file, ignored)) {
-    return fail(ErrorKind::io, output, "is a folder");
-  }
-  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
-    return fail(ErrorKind::io, output, fmt::format("the folder {} cannot be written to: {}", folder.string(), std::strerror(errno)));
-  }
-  return {};
+  return check_place(output);
 }
 
 /// Whether the picture was drawn as bytes, of which nothing but 8-bit PNG can be made.
@@ -83,6 +72,22 @@ std::string default_output(const std::string& argument) {
     return name + ".png";
   }
   return std::filesystem::path(argument).replace_extension(".png").string();
+}
+
+Result<void> check_place(const std::string& output) {
+  const std::filesystem::path file(output);
+  std::error_code ignored;
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  if (!std::filesystem::exists(folder, ignored)) {
+    return fail(ErrorKind::io, output, fmt::format("there is no folder {}", folder.string()));
+  }
+  if (std::filesystem::is_directory(file, ignored)) {
+    return fail(ErrorKind::io, output, "is a folder");
+  }
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+    return fail(ErrorKind::io, output, fmt::format("the folder {} cannot be written to: {}", folder.string(), std::strerror(errno)));
+  }
+  return {};
 }
 
 Result<void> check_outputs(const std::vector<std::string>& outputs) {

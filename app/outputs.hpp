@@ -33,6 +33,10 @@ void add_png_flags(CLI::App& app, PngFlags& flags, const std::string& group);
 /// errors  usage where a name is given twice, unsupported for an extension, io where a folder is missing or may not be written to
 [[nodiscard]] Result<void> check_outputs(const std::vector<std::string>& outputs);
 
+/// Whether a file can be written there, as far as can be said before.
+/// errors  io
+[[nodiscard]] Result<void> check_place(const std::string& output);
+
 /// The default output takes the place of a picture that Lustro drew, never of another file: beside a mesh lie its textures.
 /// errors  usage where such a file is there
 [[nodiscard]] Result<void> check_default_output(const std::string& output);

@@ -10,6 +10,10 @@ pkg_check_modules(SPNG REQUIRED IMPORTED_TARGET spng)
 pkg_check_modules(DEFLATE REQUIRED IMPORTED_TARGET libdeflate)
 pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)
 
+# Without these two the library makes no animations of their kinds, and says so.
+pkg_check_modules(WEBP IMPORTED_TARGET libwebpmux libwebp)
+pkg_check_modules(GIF IMPORTED_TARGET libgif)
+
 add_library(lustro_public_dependencies INTERFACE)
 target_link_libraries(lustro_public_dependencies INTERFACE tl::expected)
 
@@ -18,5 +22,18 @@ add_library(lustro_private_dependencies INTERFACE)
 target_link_libraries(lustro_private_dependencies INTERFACE fmt::fmt TBB::tbb OpenEXR::OpenEXR PkgConfig::SPNG PkgConfig::DEFLATE PkgConfig::FREETYPE
                       $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> $<BUILD_INTERFACE:FastFloat::fast_float>)
 
+foreach(library WEBP GIF)
+  if(${library}_FOUND)
+    target_link_libraries(lustro_private_dependencies INTERFACE PkgConfig::${library})
+    target_compile_definitions(lustro_private_dependencies INTERFACE $<BUILD_INTERFACE:LUSTRO_HAS_${library}>)
+  endif()
+endforeach()
+
 # The same for pkg-config, by the names of their .pc files; cmake/lustroConfig.cmake.in finds them for CMake.
 set(LUSTRO_PKG_CONFIG_REQUIRES fmt tbb OpenEXR spng libdeflate freetype2)
+if(WEBP_FOUND)
+  list(APPEND LUSTRO_PKG_CONFIG_REQUIRES libwebpmux libwebp)
+endif()
+if(GIF_FOUND)
+  list(APPEND LUSTRO_PKG_CONFIG_REQUIRES libgif)
+endif()

@@ -18,7 +18,9 @@ namespace lustro {
 [[nodiscard]] Result<std::vector<std::byte>> encode_png(const Image& image, const WriteOptions& options);
 
 /// The same of the bytes that to_bytes() makes: both give the same file. errors  usage, also for other than 8 bits
-[[nodiscard]] Result<std::vector<std::byte>> encode_png(const ByteImage& image, const WriteOptions& options);
+///
+/// keep_alpha   writes an alpha that is the largest everywhere, too: the parts of an animation must be of one kind
+[[nodiscard]] Result<std::vector<std::byte>> encode_png(const ByteImage& image, const WriteOptions& options, bool keep_alpha = false);
 
 /// Any PNG: gray of 1 to 16 bits, palette, RGB, alpha, tRNS, interlaced. One channel for opaque gray, three for opaque colour, four with alpha.
 /// Values are decoded by `transfer`; gAMA and iCCP chunks are not applied. errors  malformed, limit

@@ -279,8 +279,8 @@ Result<void> append_small_data(std::vector<std::byte>& out, const Samples& sampl
   return {};
 }
 
-Result<std::vector<std::byte>> encode(const Samples& samples, const WriteOptions& options) {
-  const bool without_alpha = has_idle_alpha(samples, options.threads);
+Result<std::vector<std::byte>> encode(const Samples& samples, const WriteOptions& options, bool keep_alpha = false) {
+  const bool without_alpha = !keep_alpha && has_idle_alpha(samples, options.threads);
   std::vector<std::byte> out;
   append_head(out, samples, samples.channels - (without_alpha ? 1 : 0), options.transfer);
   if (!options.png_level && samples.depth == 1) {
@@ -307,11 +307,11 @@ Samples samples_of(const AnyImage& image, std::span<const std::uint8_t> bytes, s
 
 }  // namespace
 
-Result<std::vector<std::byte>> encode_png(const ByteImage& image, const WriteOptions& options) {
+Result<std::vector<std::byte>> encode_png(const ByteImage& image, const WriteOptions& options, bool keep_alpha) {
   if (options.bits != 8) {
     return fail(ErrorKind::usage, "", "a picture of bytes becomes a PNG of 8 bits a channel, not of " + std::to_string(options.bits));
   }
-  return encode(samples_of(image, image.pixels, 1), options);
+  return encode(samples_of(image, image.pixels, 1), options, keep_alpha);
 }
 
 Result<std::vector<std::byte>> encode_png(const Image& image, const WriteOptions& options) {

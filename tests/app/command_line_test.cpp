@@ -26,7 +26,7 @@ TEST_F(CommandLine, HelpNamesEverySubcommandAndEveryExitCode) {
   const Outcome outcome = lustro({"--help"});
   EXPECT_EQ(outcome.code, 0);
   for (const char* name :
-       {"render", "batch", "hash", "bench", "info", "explain", "compare", "materials", "schema", "glsl", "completions", "man"}) {
+       {"render", "batch", "turntable", "hash", "bench", "info", "explain", "compare", "materials", "schema", "glsl", "completions", "man"}) {
     EXPECT_THAT(outcome.out, HasSubstr(std::string("\n  ") + name)) << name;
   }
   EXPECT_THAT(outcome.out, HasSubstr("Exit codes:"));
@@ -36,7 +36,7 @@ TEST_F(CommandLine, HelpNamesEverySubcommandAndEveryExitCode) {
 
 TEST_F(CommandLine, HelpKeepsToTheWidth) {
   for (const char* name :
-       {"render", "batch", "hash", "bench", "info", "explain", "compare", "materials", "schema", "glsl", "completions", "man"}) {
+       {"render", "batch", "turntable", "hash", "bench", "info", "explain", "compare", "materials", "schema", "glsl", "completions", "man"}) {
     const Outcome outcome = run_program({"env", "COLUMNS=70", LUSTRO_COMMAND, name, "--help"});
     EXPECT_EQ(outcome.code, 0);
     EXPECT_THAT(outcome.out, HasSubstr("Examples:")) << name;

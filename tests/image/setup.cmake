@@ -1,5 +1,6 @@
-# PNGs of the command, read by Python's zlib (and by PIL, where it is installed).
-find_package(Python3 COMPONENTS Interpreter)
-if(Python3_Interpreter_FOUND AND TARGET lustro_command)
-  add_test(NAME image/python_reads_png COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/image/check_png.py $<TARGET_FILE:lustro_command>)
+# Animations are read back by the libraries' own decoders.
+pkg_check_modules(WEBPDEMUX QUIET IMPORTED_TARGET libwebpdemux)
+if(WEBPDEMUX_FOUND AND WEBP_FOUND)
+  target_link_libraries(test_image PRIVATE PkgConfig::WEBPDEMUX)
+  target_compile_definitions(test_image PRIVATE LUSTRO_HAS_WEBPDEMUX)
 endif()
