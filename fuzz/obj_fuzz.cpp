@@ -1,10 +1,11 @@
-// OBJ bytes; the material library that they name is a small fixed one.
+// OBJ bytes, in small parts and line by line; the material library that they name is a small fixed one.
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
 #include "check_mesh.hpp"
+#include "check_same.hpp"
 #include "io/obj.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -16,6 +17,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return std::string("newmtl red\nKd 1 0 0\nmap_Kd red.png\nnewmtl Material\nillum 1\nTr 0.5\n");
   };
   options.has_map = [](const std::string&, const std::string&) { return false; };
-  lustro::check_mesh(lustro::parse_obj({reinterpret_cast<const char*>(data), size}, "fuzz.obj", options));
+  options.threads = 1;
+  options.part_bytes = 48;
+  const std::string_view bytes{reinterpret_cast<const char*>(data), size};
+  const auto mesh = lustro::parse_obj(bytes, "fuzz.obj", options);
+  lustro::check_same(mesh, lustro::parse_obj_line_by_line(bytes, "fuzz.obj", options));
+  lustro::check_mesh(mesh);
   return 0;
 }

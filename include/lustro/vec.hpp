@@ -10,13 +10,13 @@ namespace lustro {
 template <class F>
 struct Vec2 {
   F x{}, y{};
-  friend constexpr bool operator==(const Vec2&, const Vec2&) = default;
+  friend bool operator==(const Vec2&, const Vec2&) = default;
 };
 
 template <class F>
 struct Vec3 {
   F x{}, y{}, z{};
-  friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
+  friend bool operator==(const Vec3&, const Vec3&) = default;
 };
 
 using Vec2f = Vec2<float>;

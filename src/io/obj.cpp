@@ -121,6 +121,9 @@ class ObjReader {
 
 Result<SourceMesh> ObjReader::read(int threads, std::size_t part_bytes) {
   reserve();
+  if (bytes_.size() <= part_bytes) {
+    threads = 1;  // to start others takes longer
+  }
   // While some threads read a batch of parts, one takes over the batch before it.
   const std::size_t batch = std::min(bytes_.size() / part_bytes, 4 * thread_count(threads)) + 1;
   std::vector<ObjPart> parts(batch);

@@ -61,7 +61,6 @@ struct Point {
 }
 
 [[gnu::always_inline]] inline void measure_planes(TriangleBatch& batch) {
-#pragma GCC ivdep
   for (std::size_t i = 0; i < TriangleBatch::kSize; ++i) {
     const Point p0 = corner_of(batch, 0, i);
     const Point p1 = corner_of(batch, 1, i);
@@ -86,7 +85,6 @@ struct Point {
 [[gnu::always_inline]] inline void measure_angles(TriangleBatch& batch, std::size_t corner) {
   const std::size_t next = (corner + 1) % 3;
   const std::size_t before = (corner + 2) % 3;
-#pragma GCC ivdep
   for (std::size_t i = 0; i < TriangleBatch::kSize; ++i) {
     const Point here = corner_of(batch, corner, i);
     const Point ahead = minus(corner_of(batch, next, i), here);
