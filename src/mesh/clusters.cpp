@@ -254,6 +254,22 @@ std::vector<std::uint32_t> morton_order(const Mesh& mesh, const Bounds& bounds, 
   return order;
 }
 
+// A cluster's positions beside each other, so that drawing it reads memory in one stretch.
+void gather_positions(Clusters& clusters, const Mesh& mesh, int threads) {
+  const std::size_t count = clusters.vertices.size();
+  for (std::vector<float>& axis : clusters.positions) {
+    axis.resize(count);
+  }
+  parallel_for((count + kStretch - 1) / kStretch, threads, [&](std::size_t s) {
+    for (std::size_t i = s * kStretch; i < std::min(count, (s + 1) * kStretch); ++i) {
+      const Vec3f& p = mesh.positions[clusters.vertices[i]];  // the padding names vertex 0
+      clusters.positions[0][i] = p.x;
+      clusters.positions[1][i] = p.y;
+      clusters.positions[2][i] = p.z;
+    }
+  });
+}
+
 }  // namespace
 
 Clusters make_clusters(const Mesh& mesh, ClusterUse use, int threads) {
@@ -267,11 +283,14 @@ Clusters make_clusters(const Mesh& mesh, ClusterUse use, int threads) {
   }
   Clusters clusters = cut_all(mesh, std::move(order), threads);
   const Bounds bounds = bounds_of(clusters);
-  if (!is_scattered(clusters, bounds)) {
-    return clusters;
+  if (is_scattered(clusters, bounds)) {
+    clusters = {};
+    clusters = cut_all(mesh, morton_order(mesh, bounds, threads), threads);
   }
-  clusters = {};
-  return cut_all(mesh, morton_order(mesh, bounds, threads), threads);
+  if (use == ClusterUse::often) {
+    gather_positions(clusters, mesh, threads);
+  }
+  return clusters;
 }
 
 }  // namespace lustro

@@ -35,9 +35,10 @@ struct Clusters {
 
   std::vector<Cluster> clusters;
   std::vector<Group> groups;
-  std::vector<std::uint32_t> vertices;   ///< the mesh's vertices, cluster by cluster (+ kPadding)
-  std::vector<std::uint32_t> corners;    ///< a triangle's three vertices within its cluster: a | b << 8 | c << 16 (+ kPadding)
-  std::vector<std::uint32_t> triangles;  ///< its index in the mesh; empty: the mesh's own order
+  std::vector<std::uint32_t> vertices;          ///< the mesh's vertices, cluster by cluster (+ kPadding)
+  std::array<std::vector<float>, 3> positions;  ///< x, y, z of `vertices`, for clusters that are drawn often; else empty (+ kPadding)
+  std::vector<std::uint32_t> corners;           ///< a triangle's three vertices within its cluster: a | b << 8 | c << 16 (+ kPadding)
+  std::vector<std::uint32_t> triangles;         ///< its index in the mesh; empty: the mesh's own order
 
   [[nodiscard]] std::uint32_t triangle_at(std::size_t i) const { return triangles.empty() ? static_cast<std::uint32_t>(i) : triangles[i]; }
 };

@@ -269,14 +269,20 @@ HWY_INLINE Record& next_record(TileScratch& s) {
 }
 
 /// The cluster's vertices on the image (reference/triangle.cpp: project()).
-HWY_INLINE void project_vertices(const Frame& frame, TileScratch& s, const Instance& instance, const Cluster& cluster) {
+inline HWY_NOINLINE void project_vertices(const Frame& frame, TileScratch& s, const Instance& instance, const Cluster& cluster) {
   const View& view = frame.scene->view;
-  const std::uint32_t* vertices = instance.drawable->clusters.vertices.data() + cluster.first_vertex;
+  const Clusters& clusters = instance.drawable->clusters;
+  const std::uint32_t* vertices = clusters.vertices.data() + cluster.first_vertex;
   const Vec3f* positions = instance.mesh->positions.data();
+  const bool is_packed = !clusters.positions[0].empty();
+  const float* xs = clusters.positions[0].data() + cluster.first_vertex;
+  const float* ys = clusters.positions[1].data() + cluster.first_vertex;
+  const float* zs = clusters.positions[2].data() + cluster.first_vertex;
   const bool is_perspective = view.projection == Projection::perspective;
   const Float depth_range(view.depth_far - view.depth_near);
   for (std::size_t i = 0; i < cluster.vertices; i += kLanes) {
-    const Vec3<Float> p = instance.image_from_object(gather(positions, load(vertices + i)));
+    const Vec3<Float> p =
+        instance.image_from_object(is_packed ? Vec3<Float>{load(xs + i), load(ys + i), load(zs + i)} : gather(positions, load(vertices + i)));
     const Float inverse = Float(1) / p.z;
     const Float scale = is_perspective ? inverse : Float(1);
     const auto snap = [](Float pixels) { return truncate(floor_of(pixels * Float(kSubpixelUnits) + Float(0.5F))); };
@@ -329,13 +335,17 @@ HWY_INLINE void keep_record(TileScratch& s, Record& t, const TriangleLanes& lane
   ++s.record_count;
 }
 
-/// Triangles of at most 2 x 2 pixels, one a lane: every lane looks at its own pixels. What it finds is merged lane by lane.
+/// Below this extent a triangle's box holds a sample of at most 2 x 2 pixels.
+inline constexpr std::int32_t kTinyExtent = 2 * kSubpixelUnits;
+
+/// Triangles of less than 2 x 2 pixels, one a lane: every lane looks at its own pixels. What it finds is merged lane by lane.
 struct TinyTriangles {
   Int x0, y0, x1, y1, x2, y2;  // after the swap
   Float key0, key1, key2, inverse_area;
-  Int left, top, right, bottom;
+  Int lowest_x, lowest_y, highest_x, highest_y;
 };
-HWY_INLINE void fill_tiny(const Canvas& c, const TinyTriangles& t, Mask chosen, const TriangleLanes& lanes, const TriangleSource& source) {
+inline HWY_NOINLINE void fill_tiny(const Canvas& c, const TinyTriangles& t, Mask chosen, const TriangleLanes& lanes,
+                                   const TriangleSource& source) {
   TileScratch& s = c.scratch;
   const Float slope1 = (t.key1 - t.key0) * t.inverse_area;
   const Float slope2 = (t.key2 - t.key0) * t.inverse_area;
@@ -346,20 +356,31 @@ HWY_INLINE void fill_tiny(const Canvas& c, const TinyTriangles& t, Mask chosen, 
     return select((dy < Int(0)) | ((dy == Int(0)) & (dx > Int(0))), Int(0), Int(-1));
   };
   const Int bias0 = bias_of(dx0, dy0), bias1 = bias_of(dx1, dy1), bias2 = bias_of(dx2, dy2);
-  const Int at = (t.top - Int(c.area.top)) * Int(static_cast<std::int32_t>(s.stride)) + (t.left - Int(c.area.left));
   const Float farthest(c.frame.farthest);
-  const Mask is_wide = t.right > t.left;
-  const Mask is_high = t.bottom > t.top;
   std::array<std::uint32_t, kLanes> records;
   std::uint32_t has_record = 0;
   for (std::size_t sample = 0; sample < c.frame.pattern.size(); ++sample) {
-    const Int px = t.left * Int(kSubpixelUnits) + Int(kSubpixelUnits / 2 + c.frame.pattern[sample].x);
-    const Int py = t.top * Int(kSubpixelUnits) + Int(kSubpixelUnits / 2 + c.frame.pattern[sample].y);
+    // Pixels whose sample lies in the box.
+    const std::int32_t sample_x = kSubpixelUnits / 2 + c.frame.pattern[sample].x;
+    const std::int32_t sample_y = kSubpixelUnits / 2 + c.frame.pattern[sample].y;
+    const Int left_pixel = lane_max((t.lowest_x + Int(kSubpixelUnits - 1 - sample_x)) >> 8, Int(c.area.left));
+    const Int top_pixel = lane_max((t.lowest_y + Int(kSubpixelUnits - 1 - sample_y)) >> 8, Int(c.area.top));
+    const Int right_pixel = lane_min((t.highest_x - Int(sample_x)) >> 8, Int(c.area.right - 1));
+    const Int bottom_pixel = lane_min((t.highest_y - Int(sample_y)) >> 8, Int(c.area.bottom - 1));
+    const Mask holds = chosen & !(left_pixel > right_pixel) & !(top_pixel > bottom_pixel);
+    if (!any_of(holds)) {
+      continue;
+    }
+    const Mask is_wide = right_pixel > left_pixel;
+    const Mask is_high = bottom_pixel > top_pixel;
+    const Int at = (top_pixel - Int(c.area.top)) * Int(static_cast<std::int32_t>(s.stride)) + (left_pixel - Int(c.area.left));
+    const Int px = (left_pixel << 8) + Int(sample_x);
+    const Int py = (top_pixel << 8) + Int(sample_y);
     const Int first0 = dx0 * (py - t.y1) - dy0 * (px - t.x1);
     const Int first1 = dx1 * (py - t.y2) - dy1 * (px - t.x2);
     const Int first2 = dx2 * (py - t.y0) - dy2 * (px - t.x0);
     for (int quarter = 0; quarter < 4; ++quarter) {
-      Mask here = chosen;
+      Mask here = holds;
       Int e0 = first0, e1 = first1, e2 = first2;
       if ((quarter & 1) != 0) {
         here = here & is_wide;
@@ -407,7 +428,7 @@ HWY_INLINE void fill_tiny(const Canvas& c, const TinyTriangles& t, Mask chosen, 
 }
 
 /// One of the lanes on its own.
-HWY_INLINE void fill_one(const Canvas& c, const TriangleLanes& lanes, const TriangleSource& source, std::size_t i) {
+inline HWY_NOINLINE void fill_one(const Canvas& c, const TriangleLanes& lanes, const TriangleSource& source, std::size_t i) {
   TileScratch& s = c.scratch;
   Record& t = begin_record(s, lanes, source, i);
   const bool is_small = (t.flags & Record::kSmall) != 0;
@@ -430,7 +451,7 @@ HWY_INLINE void fill_one(const Canvas& c, const TriangleLanes& lanes, const Tria
 }
 
 /// The cluster's triangles, kLanes at a time: those that cannot hold a sample are dropped, the others are filled.
-HWY_INLINE void fill_triangles(const Canvas& c, const Instance& instance, const Cluster& cluster) {
+inline HWY_NOINLINE void fill_triangles(const Canvas& c, const Instance& instance, const Cluster& cluster) {
   TileScratch& s = c.scratch;
   const Frame& frame = c.frame;
   const std::uint32_t* corners = instance.drawable->clusters.corners.data() + cluster.first_triangle;
@@ -471,10 +492,10 @@ HWY_INLINE void fill_triangles(const Canvas& c, const Instance& instance, const 
                              select(is_swapped, stated_key2, stated_key1),
                              select(is_swapped, stated_key1, stated_key2),
                              Float(1) / to_float(select(is_swapped, Int(0) - area2, area2)),
-                             left,
-                             top,
-                             right,
-                             bottom};
+                             lowest_x,
+                             lowest_y,
+                             highest_x,
+                             highest_y};
     store(lanes.x[0].data(), tiny.x0);
     store(lanes.x[1].data(), tiny.x1);
     store(lanes.x[2].data(), tiny.x2);
@@ -494,7 +515,7 @@ HWY_INLINE void fill_triangles(const Canvas& c, const Instance& instance, const 
     store(lanes.flags.data(), (swapped_flag | back_flag) | select(is_small, Int(Record::kSmall), Int(0)));
 
     const TriangleSource source{instance, cluster, begin};
-    const Mask is_tiny = stays & is_small & (right - left < Int(2)) & (bottom - top < Int(2));
+    const Mask is_tiny = stays & (lane_max(highest_x - lowest_x, highest_y - lowest_y) < Int(kTinyExtent));
     if (any_of(is_tiny)) {
       fill_tiny(c, tiny, is_tiny, lanes, source);
     }
@@ -634,6 +655,23 @@ inline HWY_NOINLINE std::span<const std::uint32_t> sort_clusters(const Frame& fr
   return std::span<const std::uint32_t>(s.sorted_clusters).first(list.size());
 }
 
+/// What filling will read of a cluster, asked for while another is filled.
+HWY_INLINE void prefetch_cluster(const Frame& frame, const VisibleCluster& visible) {
+  const Clusters& clusters = frame.scene->instances[visible.instance].drawable->clusters;
+  const Cluster& cluster = clusters.clusters[visible.cluster];
+  constexpr std::size_t kLine = 16;  // words
+  for (std::size_t i = 0; i < cluster.triangles; i += kLine) {
+    __builtin_prefetch(clusters.corners.data() + cluster.first_triangle + i);
+  }
+  if (!clusters.positions[0].empty()) {
+    for (std::size_t i = 0; i < cluster.vertices; i += kLine) {
+      for (const std::vector<float>& axis : clusters.positions) {
+        __builtin_prefetch(axis.data() + cluster.first_vertex + i);
+      }
+    }
+  }
+}
+
 inline void fill_tile(const Frame& frame, std::size_t tile, TileScratch& s) {
   const Canvas c{frame, s, frame.area(tile)};
   const std::span<const std::uint32_t> clusters = frame.cluster_lists.of(tile);
@@ -660,8 +698,12 @@ inline void fill_tile(const Frame& frame, std::size_t tile, TileScratch& s) {
       farthest = -2;
     }
   }
-  for (const std::uint32_t entry : sort_clusters(frame, clusters, s)) {
-    const VisibleCluster& visible = frame.clusters[entry];
+  const std::span<const std::uint32_t> sorted = sort_clusters(frame, clusters, s);
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    if (i + 1 < sorted.size()) {
+      prefetch_cluster(frame, frame.clusters[sorted[i + 1]]);
+    }
+    const VisibleCluster& visible = frame.clusters[sorted[i]];
     const BlockRange blocks = blocks_of(c, visible);
     if (is_hidden(c, visible, blocks)) {
       continue;
