@@ -107,22 +107,10 @@ struct TileScratch {
   static constexpr std::size_t kPadding = 16;      ///< lanes beyond a tile's right edge are written to, and never read
   static constexpr std::size_t kFragments = 2048;  ///< that are shaded at a time
 
-  /// What shading makes of a fragment, by its place.
-  enum Output : std::size_t {
-    ambient = 0,
-    diffuse = 3,
-    specular = 6,
-    emission = 9,
-    fog = 12,
-    basic = 15,
-    scene_part = 15,
-    albedo = 18,
-    normal = 21,
-    position = 24,
-    weights = 27,
-    depth = 30,
-    outputs = 31
-  };
+  /// What shading makes of every part, kept together: one line of the cache, which resolving adds up at once.
+  enum Term : std::size_t { ambient = 0, diffuse = 3, specular = 6, emission = 9, fog = 12, terms = 16 };
+  /// What layers ask for beside it.
+  enum Output : std::size_t { scene_part = 0, albedo = 3, normal = 6, position = 9, weights = 12, depth = 15, outputs = 16 };
 
   std::size_t stride = 0;             ///< floats a row
   std::size_t plane = 0;              ///< floats a sample's plane
@@ -145,6 +133,7 @@ struct TileScratch {
   Fragments parts;  ///< of pixels that show several, or the background, too; or whose layers are stored
   std::array<std::uint32_t, kFragments + kPadding> part_place{};   ///< where sorting has put a part
   std::array<std::uint8_t, kFragments + kPadding> part_samples{};  ///< of its pixel that it covers
+  alignas(64) std::array<float, (kFragments + kPadding) * terms> part_terms{};
   std::array<std::array<float, kFragments + kPadding>, outputs> output{};
   std::vector<float> light_output;            ///< lights x 3 x (kFragments + kPadding), where layers of lights are stored
   std::vector<std::uint32_t> material_begin;  ///< for sorting

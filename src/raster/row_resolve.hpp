@@ -171,15 +171,12 @@ inline void resolve(const Shader& shader, const WaitingPixel& waiting) {
   }
   int covered = 0;
   int most = 0;
+  Sixteen sums;
   for (std::size_t i = waiting.first; i < static_cast<std::size_t>(waiting.first) + waiting.parts; ++i) {
     const std::size_t place = s.part_place[i];
     const int count = s.part_samples[i];
     const float weight = static_cast<float>(count) / samples;
-    pixel.terms.ambient += output_at(s, TileScratch::ambient, place) * weight;
-    pixel.terms.diffuse += output_at(s, TileScratch::diffuse, place) * weight;
-    pixel.terms.specular += output_at(s, TileScratch::specular, place) * weight;
-    pixel.terms.emission += output_at(s, TileScratch::emission, place) * weight;
-    pixel.fog += output_at(s, TileScratch::fog, place) * weight;
+    sums.add(&s.part_terms[place * TileScratch::terms], weight);
     covered += count;
     if (frame.wants_all) {
       pixel.scene_part += output_at(s, TileScratch::scene_part, place) * weight;
@@ -205,6 +202,11 @@ inline void resolve(const Shader& shader, const WaitingPixel& waiting) {
       }
     }
   }
+  alignas(64) std::array<float, TileScratch::terms> sum;
+  sums.store_to(sum.data());
+  const auto sum_of = [&sum](std::size_t term) { return Vec3f{sum[term], sum[term + 1], sum[term + 2]}; };
+  pixel.terms = {sum_of(TileScratch::ambient), sum_of(TileScratch::diffuse), sum_of(TileScratch::specular), sum_of(TileScratch::emission)};
+  pixel.fog = sum_of(TileScratch::fog);
   pixel.coverage = static_cast<float>(covered) / samples;
   const float uncovered = (samples - static_cast<float>(covered)) / samples;
   pixel.background = Vec3f{background[0], background[1], background[2]} * uncovered;

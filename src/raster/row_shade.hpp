@@ -334,11 +334,10 @@ inline HWY_NOINLINE void shade_parts(const Frame& frame, TileScratch& s, const I
       out.put_light(i, out.get_light(i) * clear);
     }
   }
-  out.put(TileScratch::ambient, shaded.terms.ambient);
-  out.put(TileScratch::diffuse, shaded.terms.diffuse);
-  out.put(TileScratch::specular, shaded.terms.specular);
-  out.put(TileScratch::emission, shaded.terms.emission);
-  out.put(TileScratch::fog, fog);
+  const Terms<Float>& t = shaded.terms;
+  store_transposed({t.ambient.x, t.ambient.y, t.ambient.z, t.diffuse.x, t.diffuse.y, t.diffuse.z, t.specular.x, t.specular.y, t.specular.z,
+                    t.emission.x, t.emission.y, t.emission.z, fog.x, fog.y, fog.z, Float(0)},
+                   &s.part_terms[begin * TileScratch::terms]);
   if (frame.wants_all) {
     out.put(TileScratch::scene_part, shaded.scene_part);
     out.put(TileScratch::albedo, vec_cast<Float>(material.albedo) * batch.faces.tint(batch.at.weights));

@@ -149,6 +149,60 @@ HWY_INLINE void transpose(const std::uint32_t* first, const std::uint32_t* index
 #endif
 }
 
+/// The opposite for floats: structure i of 16 words is stored at out + 16 i.
+HWY_INLINE void store_transposed(const std::array<Float, 16>& words, float* out) {
+#if HWY_TARGET == HWY_SCALAR
+  for (std::size_t w = 0; w < 16; ++w) {
+    store(out + w, words[w]);
+  }
+#else
+  const hn::FixedTag<float, 4> quad;
+  alignas(64) float quads[4 * kLanes];
+  for (std::size_t q = 0; q < 4; ++q) {
+    hn::StoreInterleaved4(words[4 * q].v, words[4 * q + 1].v, words[4 * q + 2].v, words[4 * q + 3].v, kFloats, quads);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      hn::Store(hn::Load(quad, quads + 4 * i), quad, out + 16 * i + 4 * q);
+    }
+  }
+#endif
+}
+
+/// Sixteen floats in a row: sums of structures, word by word.
+struct Sixteen {
+#if HWY_TARGET == HWY_SCALAR
+  float w[16] = {};
+  HWY_INLINE void add(const float* p, float weight) {
+    for (std::size_t i = 0; i < 16; ++i) {
+      w[i] = w[i] + p[i] * weight;
+    }
+  }
+  HWY_INLINE void store_to(float* p) const {
+    for (std::size_t i = 0; i < 16; ++i) {
+      p[i] = w[i];
+    }
+  }
+#else
+  static constexpr hn::FixedTag<float, 4> kQuad{};
+  hn::Vec<hn::FixedTag<float, 4>> q[4];
+  HWY_INLINE Sixteen() {
+    for (auto& v : q) {
+      v = hn::Zero(kQuad);
+    }
+  }
+  HWY_INLINE void add(const float* p, float weight) {
+    const auto by = hn::Set(kQuad, weight);
+    for (std::size_t i = 0; i < 4; ++i) {
+      q[i] = hn::Add(q[i], hn::Mul(hn::Load(kQuad, p + 4 * i), by));
+    }
+  }
+  HWY_INLINE void store_to(float* p) const {
+    for (std::size_t i = 0; i < 4; ++i) {
+      hn::StoreU(q[i], kQuad, p + 4 * i);
+    }
+  }
+#endif
+};
+
 /// kLanes samples in rows of four: what a small triangle's box is, rather than a long row. Lane i lies in column i % 4 of row i / 4.
 #if HWY_TARGET != HWY_SCALAR
 inline constexpr std::size_t kPatchRows = kLanes / 4;
