@@ -217,6 +217,19 @@ TEST(Parity, ARendererThatIsUsedAgainGivesTheSameBits) {
   }
 }
 
+// Small enough for the thread sanitizer.
+TEST(Parity, SeveralThreadsShareNothingButTheScene) {
+  Scene scene = big_scene("primitive:sphere:40", Interpolation::phong, 4, 200, 150);
+  Renderer renderer;
+  Rendering result;
+  const Result<Rendering> one = drawn(scene, {.threads = 1}, false);
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_TRUE(renderer.render(scene, {.threads = 4, .store_bytes = true}, result));
+    EXPECT_EQ(result.bytes.pixels, one->bytes.pixels);
+    EXPECT_EQ(result.color.pixels, one->color.pixels);
+  }
+}
+
 TEST(Target, NamesAreReadBack) {
   for (const Target target : available_targets()) {
     const auto parsed = parse_target(target_name(target));
