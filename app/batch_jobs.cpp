@@ -141,7 +141,8 @@ void tell_apart(std::vector<Model>& models) {
     for (Model& model : models) {
       groups[model.name()].push_back(&model);
     }
-    for (auto& [name, group] : groups) {
+    for (auto& entry : groups) {
+      const std::vector<Model*>& group = entry.second;
       if (group.size() < 2) {
         continue;
       }
