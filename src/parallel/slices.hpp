@@ -17,9 +17,12 @@ inline constexpr std::size_t kSmallestSlice = 16384;
   return most < 2 || threads == 1 ? 1 : std::min(most, 4 * thread_count(threads));
 }
 
-/// Calls body(begin, end) for slices that cover 0..count-1, at the same time and in any order.
+/// Calls body(begin, end) for slices that cover 0..count-1, at the same time and in any order; not at all where there is nothing.
 template <class Body>
 void parallel_slices(std::size_t count, int threads, const Body& body, std::size_t least = kSmallestSlice) {
+  if (count == 0) {
+    return;
+  }
   const std::size_t slices = slice_count(count, threads, least);
   if (slices == 1) {
     body(std::size_t{0}, count);

@@ -22,6 +22,10 @@ TEST(Slices, CoverEveryStepOnce) {
   }
 }
 
+TEST(Slices, NothingIsNotCutAtAll) {
+  parallel_slices(0, 2, [](std::size_t, std::size_t) { ADD_FAILURE(); });
+}
+
 TEST(Slices, SmallLoopsStayWhole) {
   EXPECT_EQ(slice_count(2 * kSmallestSlice - 1, 8), 1U);
   EXPECT_EQ(slice_count(2 * kSmallestSlice, 8), 2U);
