@@ -112,6 +112,7 @@ Result<Film> Film::begin(const fs::path& file, const FilmOptions& options) {
                                  "-y",
                                  "file:" + state->temporary.string()};
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words) {
     argv.push_back(word.data());
   }

@@ -240,7 +240,7 @@ class Pool {
   }
 
   /// Ends the process: 0 lets it come to its own end, which is where its connection is closed.
-  int stop(Worker& worker, int signal) {
+  static int stop(Worker& worker, int signal) {
     int status = 0;
     if (worker.process >= 0) {
       ::close(worker.fd);

@@ -107,6 +107,7 @@ std::vector<Rgb8> ColorCounts::table(std::size_t most) const {
     boxes.push_back(box_of(box.colors.subspan(below)));
   }
   std::vector<Rgb8> table;
+  table.reserve(boxes.size());
   for (const Box& box : boxes) {
     table.push_back(mean_of(box.colors));
   }

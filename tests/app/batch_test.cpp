@@ -4,6 +4,7 @@
 #include <set>
 
 #include "app/run_command.hpp"
+#include "app/sanitized.hpp"
 #include "app/scenes.hpp"
 
 namespace {
@@ -108,7 +109,9 @@ TEST_F(BatchCommand, ResumeDrawsOnlyWhatIsNewOrChanged) {
 
 TEST_F(BatchCommand, AModelThatNeverEndsIsStoppedAndTheOthersAreDrawn) {
   write_text(work() / "m/slow.json", slow_scene());
-  const Outcome outcome = lustro({"batch", "-o", "out", "m/square.obj", "m/slow.json", "m/tri.obj", "--engine", "reference", "--samples", "1",
+  write_text(work() / "m/square.json", square_scene());
+  write_text(work() / "m/tri.json", square_scene());
+  const Outcome outcome = lustro({"batch", "-o", "out", "m/square.json", "m/slow.json", "m/tri.json", "--engine", "reference", "--samples", "1",
                                   "--time-limit", "2.5", "--threads", "1"});
   EXPECT_EQ(outcome.code, 8);
   EXPECT_THAT(outcome.err, HasSubstr("m/slow.json: took more than 2.5 s"));
@@ -116,9 +119,9 @@ TEST_F(BatchCommand, AModelThatNeverEndsIsStoppedAndTheOthersAreDrawn) {
 }
 
 TEST_F(BatchCommand, AModelThatWantsTooMuchMemoryIsRefusedItAndTheOthersAreDrawn) {
-#if defined(__SANITIZE_ADDRESS__)
-  GTEST_SKIP() << "a sanitizer takes its memory beforehand";
-#endif
+  if (kIsSanitized) {
+    GTEST_SKIP() << "a sanitizer takes its memory beforehand";
+  }
   std::string large;
   for (int i = 0; i < 300000; ++i) {
     large += "v " + std::to_string(i % 600) + " " + std::to_string(i / 600) + " 0\n";
@@ -158,7 +161,8 @@ TEST_F(BatchCommand, AnEmptyPictureIsAFailureUnlessItIsAllowed) {
 
 TEST_F(BatchCommand, AnInterruptLeavesWholePicturesOnly) {
   write_text(work() / "m/slow.json", slow_scene());
-  const Outcome outcome = run_program({"timeout", "-s", "INT", "2", LUSTRO_COMMAND, "batch", "m/square.obj", "m/slow.json", "-o", "out",
+  write_text(work() / "m/square.json", square_scene());
+  const Outcome outcome = run_program({"timeout", "-s", "INT", "2", LUSTRO_COMMAND, "batch", "m/square.json", "m/slow.json", "-o", "out",
                                        "--engine", "reference", "--samples", "1", "--threads", "1"});
   EXPECT_EQ(outcome.code, 124);
   EXPECT_THAT(outcome.err, Not(HasSubstr("fault")));

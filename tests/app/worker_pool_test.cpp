@@ -9,18 +9,12 @@
 #include <set>
 #include <vector>
 
+#include "app/sanitized.hpp"
+
 namespace lustro::app {
 namespace {
 
 using ::testing::HasSubstr;
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kIsSanitized = true;
-#elif defined(__has_feature)
-constexpr bool kIsSanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
-#else
-constexpr bool kIsSanitized = false;
-#endif
 
 std::map<std::size_t, JobEnd> ends_of(std::size_t count, int workers, const WorkerLimits& limits,
                                       const std::function<std::string(std::size_t)>& job) {
@@ -79,7 +73,7 @@ TEST(WorkerPool, AJobThatNeverEndsIsKilledAfterItsTime) {
 }
 
 TEST(WorkerPool, MemoryBeyondTheLimitIsRefused) {
-  if (kIsSanitized) {
+  if (lustro::testing::kIsSanitized) {
     GTEST_SKIP() << "a sanitizer takes its memory beforehand";
   }
   constexpr std::size_t kMegabyte = 1'000'000;
