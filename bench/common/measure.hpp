@@ -11,6 +11,7 @@ namespace lustro::bench {
 struct Times {
   double min_ms = 0;
   double median_ms = 0;
+  double processor_ms = 0;  ///< of all threads together, the minimum: what other processes take does not count
   int runs = 0;
 };
 
@@ -30,7 +31,8 @@ struct Patience {
 /// Every side once to warm up, then in turns: a, b, a, b, ... Each repetition is timed by itself.
 [[nodiscard]] std::vector<Times> in_turns(const std::vector<Side>& sides, const Patience& patience = {});
 
-/// One line of JSON on stdout: {"key": .., "check": .., "sides": {name: {"min_ms": .., "median_ms": .., "runs": ..}, ..}}.
+/// One line of JSON on stdout: {"key": .., "check": .., "sides": {name: {"min_ms": .., "median_ms": .., "processor_ms": .., "runs": ..},
+/// ..}}.
 ///
 /// key    which comparison
 /// check  what was compared before, and how well it agreed
