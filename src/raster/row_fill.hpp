@@ -12,6 +12,8 @@
 #include "raster/frame.hpp"
 #include "simd/lanes.hpp"
 
+// What a kernel fills is not cleared first.
+// NOLINTBEGIN(cppcoreguidelines-pro-type-member-init)
 namespace lustro::HWY_NAMESPACE {
 
 /// Below this extent, 1/256 pixel, an edge function stays below 2^31 in a triangle's box and a vector's width around it.
@@ -197,8 +199,8 @@ inline HWY_NOINLINE bool fill_large(const Canvas& c, const Record& t, std::uint3
   for (std::size_t sample = 0; sample < c.frame.pattern.size(); ++sample) {
     const std::int32_t px = range.left * kSubpixelUnits + kSubpixelUnits / 2 + c.frame.pattern[sample].x;
     const std::int32_t py = range.top * kSubpixelUnits + kSubpixelUnits / 2 + c.frame.pattern[sample].y;
-    const double width = static_cast<double>((range.right - range.left) * kSubpixelUnits);
-    const double height = static_cast<double>((range.bottom - range.top) * kSubpixelUnits);
+    const auto width = static_cast<double>((range.right - range.left) * kSubpixelUnits);
+    const auto height = static_cast<double>((range.bottom - range.top) * kSubpixelUnits);
     std::array<double, 3> row{};
     bool is_outside = false;
     bool is_inside = true;
@@ -721,3 +723,4 @@ inline void fill_tile(const Frame& frame, std::size_t tile, TileScratch& s) {
 }
 
 }  // namespace lustro::HWY_NAMESPACE
+// NOLINTEND(cppcoreguidelines-pro-type-member-init)

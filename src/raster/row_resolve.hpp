@@ -7,6 +7,8 @@
 #include "reference/aov.hpp"
 #include "simd/lanes.hpp"
 
+// What a kernel fills is not cleared first.
+// NOLINTBEGIN(cppcoreguidelines-pro-type-member-init)
 namespace lustro::HWY_NAMESPACE {
 
 /// A pixel whose parts wait to be shaded.
@@ -321,3 +323,4 @@ inline void shade_tile(const Frame& frame, std::size_t tile, TileScratch& s) {
 }
 
 }  // namespace lustro::HWY_NAMESPACE
+// NOLINTEND(cppcoreguidelines-pro-type-member-init)

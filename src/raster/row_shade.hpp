@@ -11,6 +11,8 @@
 #include "shade/interpolation.hpp"
 #include "simd/lanes.hpp"
 
+// What a kernel fills is not cleared first.
+// NOLINTBEGIN(cppcoreguidelines-pro-type-member-init)
 namespace lustro::HWY_NAMESPACE {
 
 /// kLanes triangles of one instance and material.
@@ -427,3 +429,4 @@ inline HWY_NOINLINE void shade_whole(const Frame& frame, TileScratch& s, const I
 }
 
 }  // namespace lustro::HWY_NAMESPACE
+// NOLINTEND(cppcoreguidelines-pro-type-member-init)

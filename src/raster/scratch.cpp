@@ -15,7 +15,7 @@ void TileScratch::fit(const Frame& frame) {
   }
   material_begin.resize(std::max(material_begin.size(), frame.scene->materials.size() + 1));
   blocks_x = static_cast<std::size_t>((frame.tile_width + kBlockWidth - 1) / kBlockWidth);
-  const std::size_t blocks_y = static_cast<std::size_t>((frame.tile_height + kBlockHeight - 1) / kBlockHeight);
+  const auto blocks_y = static_cast<std::size_t>((frame.tile_height + kBlockHeight - 1) / kBlockHeight);
   block_farthest.resize(std::max(block_farthest.size(), blocks_x * blocks_y));
   if (frame.wants_lights) {
     light_output.resize(std::max(light_output.size(), frame.scene->lights.size() * 3 * (kFragments + kPadding)));
