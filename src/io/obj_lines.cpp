@@ -182,8 +182,8 @@ class PartReader {
   template <bool kHasUv, bool kHasNormal>
   bool read_face_of(const char* p, bool is_relative) {
     const std::array<std::size_t, 3> records{part_.positions.size, part_.uvs.size, part_.normals.size};
-    std::array<std::int32_t, 3> smallest;
-    std::array<std::int32_t, 3> largest;
+    std::array<std::int32_t, 3> smallest{};
+    std::array<std::int32_t, 3> largest{};
     smallest.fill(std::numeric_limits<std::int32_t>::max());
     largest.fill(std::numeric_limits<std::int32_t>::min());
     std::size_t corners = 0;

@@ -142,7 +142,7 @@ std::optional<Layout> layout_of(const PlyHeader& header, std::size_t file_bytes)
 
 template <class T>
 double number_at(const char* at, bool is_swapped) {
-  std::array<char, sizeof(T)> raw;
+  std::array<char, sizeof(T)> raw{};
   std::memcpy(raw.data(), at, sizeof(T));
   if (is_swapped) {
     std::reverse(raw.begin(), raw.end());
@@ -190,7 +190,7 @@ void decode(std::string_view bytes, const Layout& layout, const Fields<N>& vecto
     if (vector.is_copy) {
       std::memcpy(&value, record + vector.fields[0].offset, sizeof(V));
     } else {
-      std::array<float, N> numbers;
+      std::array<float, N> numbers{};
       for (std::size_t i = 0; i < N; ++i) {
         numbers[i] = value_of(record, vector.fields[i], layout.is_swapped);
       }

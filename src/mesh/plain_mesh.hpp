@@ -43,6 +43,6 @@ void sort_by_first_use(PlainMesh& plain, int threads);
 }
 
 /// build_mesh() of the mesh in the general form, bit by bit, for makes_plain_normals(options).
-[[nodiscard]] BuiltMesh build_plain(PlainMesh plain, const NormalOptions& options, int threads);
+[[nodiscard]] BuiltMesh build_plain(PlainMesh mesh, const NormalOptions& options, int threads);
 
 }  // namespace lustro

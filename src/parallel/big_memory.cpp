@@ -13,10 +13,10 @@ void prefer_huge_pages([[maybe_unused]] void* data, [[maybe_unused]] std::size_t
 #ifdef __linux__
   constexpr std::uintptr_t kHugePage = std::uintptr_t{1} << 21U;
   constexpr std::uintptr_t kPage = 4096;
-  const auto begin = (reinterpret_cast<std::uintptr_t>(data) + kPage - 1) / kPage * kPage;
-  const auto end = (reinterpret_cast<std::uintptr_t>(data) + bytes) / kPage * kPage;
-  if (end > begin && end - begin >= 2 * kHugePage) {
-    (void)::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+  const auto address = reinterpret_cast<std::uintptr_t>(data);
+  const std::uintptr_t skipped = (kPage - address % kPage) % kPage;
+  if (bytes >= skipped + 2 * kHugePage) {
+    (void)::madvise(static_cast<char*>(data) + skipped, (bytes - skipped) / kPage * kPage, MADV_HUGEPAGE);
   }
 #endif
 }
