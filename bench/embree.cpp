@@ -108,10 +108,10 @@ class Rays {
   }
 
   std::size_t shoot_tile(const Frame& frame, int x0, int y0, Packets packets) const {
-    RTCIntersectContext context;
+    RTCIntersectContext context{};
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    alignas(64) std::array<RTCRayHit16, kTile / 4> row;
+    alignas(64) std::array<RTCRayHit16, kTile / 4> row;  // NOLINT(cppcoreguidelines-pro-type-member-init): fill() sets all that counts
     std::size_t hits = 0;
     for (int y = y0; y < std::min(y0 + kTile, image_.height); y += 4) {
       std::size_t count = 0;
@@ -119,7 +119,7 @@ class Rays {
         fill(frame, x, y, row[count++]);
       }
       if (packets == Packets::of_16) {
-        alignas(64) std::array<int, 16> valid;
+        alignas(64) std::array<int, 16> valid{};
         valid.fill(-1);
         for (std::size_t p = 0; p < count; ++p) {
           rtcIntersect16(valid.data(), scene_, &context, &row[p]);

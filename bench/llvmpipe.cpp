@@ -176,7 +176,7 @@ class PeerFrames {
     }
     ByteImage image{width_, height_, 4, {}};
     const std::size_t row = static_cast<std::size_t>(width_) * 4;
-    for (std::size_t y = static_cast<std::size_t>(height_); y-- > 0;) {
+    for (auto y = static_cast<std::size_t>(height_); y-- > 0;) {
       const auto* begin = bytes_.data() + y * row;
       image.pixels.insert(image.pixels.end(), begin, begin + row);
     }

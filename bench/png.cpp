@@ -46,7 +46,7 @@ Bytes by_libpng(const ByteImage& image) {
   png_infop info = png_create_info_struct(png);
   png_set_write_fn(
       png, &file,
-      [](png_structp p, png_bytep data, std::size_t size) {
+      [](png_structp p, png_bytep data, std::size_t size) {  // NOLINT(readability-non-const-parameter): libpng's type
         auto* out = static_cast<Bytes*>(png_get_io_ptr(p));
         const auto* bytes = reinterpret_cast<const std::byte*>(data);
         out->insert(out->end(), bytes, bytes + size);
