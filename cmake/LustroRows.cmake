@@ -5,7 +5,7 @@
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(HWY REQUIRED libhwy)
 
-set(lustro_row_flags_scalar -DHWY_COMPILE_ONLY_EMU128)
+set(lustro_row_flags_scalar -DHWY_COMPILE_ONLY_SCALAR)
 set(lustro_row_flags_sse4 -msse4.2 -mpclmul -maes)
 set(lustro_row_flags_avx2 -mavx2 -mbmi -mbmi2 -mfma -mf16c -mlzcnt -mpclmul -maes)
 set(lustro_row_flags_avx512 ${lustro_row_flags_avx2} -mavx512f -mavx512cd -mavx512bw -mavx512dq -mavx512vl -mprefer-vector-width=512)
