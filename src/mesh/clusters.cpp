@@ -97,20 +97,20 @@ Stretch cut(const Mesh& mesh, const std::vector<std::uint32_t>& order, std::size
   return stretch;
 }
 
-double half_area(const Vec3f& lower, const Vec3f& upper) {
-  const Vec3d size = vec_cast<double>(upper) - vec_cast<double>(lower);
-  return (size.x * size.y + size.y * size.z) + size.z * size.x;
+double longest_side(const Vec3d& lower, const Vec3d& upper) {
+  return std::max({upper.x - lower.x, upper.y - lower.y, upper.z - lower.z});
 }
 
-// Clusters that cover a surface once have boxes whose areas sum to a few times that of the mesh's box. Triangles in random order have boxes as
-// large as the mesh, each.
+// Neighbours in the file make boxes far smaller than the mesh, even where a file goes row by row; triangles in random order make boxes as large
+// as the mesh, each.
 bool is_scattered(const Clusters& clusters, const Bounds& bounds) {
   double sum = 0;
   for (const Cluster& cluster : clusters.clusters) {
-    sum += half_area(cluster.lower, cluster.upper);
+    sum += longest_side(vec_cast<double>(cluster.lower), vec_cast<double>(cluster.upper));
   }
-  constexpr double kTolerated = 32;
-  return clusters.clusters.size() > 64 && sum > kTolerated * half_area(vec_cast<float>(bounds.lower), vec_cast<float>(bounds.upper));
+  constexpr double kTolerated = 1.0 / 3;  // of the mesh's side, on the average
+  const auto count = static_cast<double>(clusters.clusters.size());
+  return count > 64 && sum > kTolerated * count * longest_side(bounds.lower, bounds.upper);
 }
 
 Bounds bounds_of(const Clusters& clusters) {
