@@ -20,6 +20,10 @@ namespace {
 std::atomic<std::size_t> allocated_bytes{0};
 }  // namespace
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"  // sees free() inside delete, but not malloc() inside new
+#endif
+
 // The language's own hooks: the only way to see reservations that are never touched.
 void* operator new(std::size_t size) {
   allocated_bytes += size;
