@@ -238,7 +238,7 @@ struct Wide {
 };
 template <class Of>
 HWY_INLINE Wide make_wide(Of&& of) {
-  Wide w;
+  Wide w;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   for (std::size_t i = 0; i < kLanes; ++i) {
     w.d[i] = of(i);
   }
