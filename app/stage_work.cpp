@@ -43,7 +43,8 @@ double pixel_operations(const FrameFacts& facts) {
 }  // namespace
 
 StageWork cull_work(const FrameFacts& facts) {
-  const double clusters = static_cast<double>((facts.triangles + 127) / 128);
+  const auto whole_clusters = (facts.triangles + 127) / 128;
+  const auto clusters = static_cast<double>(whole_clusters);
   static_assert(kClusterTriangles == 128);
   return {.bytes = clusters * kClusterBytes, .operations = clusters * kClusterTest};
 }

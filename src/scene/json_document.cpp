@@ -161,7 +161,7 @@ class TreeBuilder {
   [[nodiscard]] std::string path() const {
     std::string text;
     for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
-      text = open_[i]->is_array() ? joined_path(std::move(text), open_[i]->size() - 1) : joined_path(std::move(text), keys_[i]);
+      text = open_[i]->is_array() ? joined_path(text, open_[i]->size() - 1) : joined_path(text, keys_[i]);
     }
     return text;
   }

@@ -350,8 +350,8 @@ TEST_F(RenderCommand, AFailureLeavesTheFileThatWasThere) {
 }
 
 TEST_F(RenderCommand, AnInterruptLeavesNoFile) {
-  const Outcome outcome = run_program(
-      {"timeout", "-s", "INT", "0.3", LUSTRO_COMMAND, "primitive:sphere:300", "--size", "8000x8000", "--samples", "16", "-o", "o.png"});
+  const Outcome outcome = run_program({"timeout", "-s", "INT", "0.3", LUSTRO_COMMAND, "primitive:sphere:300", "--engine", "reference", "--size",
+                                       "8000x8000", "--samples", "16", "-o", "o.png"});
   EXPECT_EQ(outcome.code, 124);  // timeout's own code: the command was interrupted
   EXPECT_THAT(files(), ElementsAre("scene.json", "square.obj"));
 }
@@ -360,7 +360,7 @@ TEST_F(RenderCommand, TheProgressBarIsForTerminalsAndForLongWork) {
   // Far more work than the few seconds after which it is stopped.
   const auto stopped_after = [](const std::string& seconds) {
     return "timeout --foreground -s INT " + seconds +
-           " " LUSTRO_COMMAND " primitive:torus:100 --size 8000x8000 --samples 16 --threads 1 -o o.png";
+           " " LUSTRO_COMMAND " primitive:torus:100 --engine reference --size 8000x8000 --samples 16 --threads 1 -o o.png";
   };
   EXPECT_THAT(run_program({"sh", "-c", stopped_after("1.6")}).err, IsEmpty());
   if (!has_program("script")) {
