@@ -277,9 +277,9 @@ inline HWY_NOINLINE void project_vertices(const Frame& frame, TileScratch& s, co
   const std::uint32_t* vertices = clusters.vertices.data() + cluster.first_vertex;
   const Vec3f* positions = instance.mesh->positions.data();
   const bool is_packed = !clusters.positions[0].empty();
-  const float* xs = clusters.positions[0].data() + cluster.first_vertex;
-  const float* ys = clusters.positions[1].data() + cluster.first_vertex;
-  const float* zs = clusters.positions[2].data() + cluster.first_vertex;
+  const float* xs = is_packed ? clusters.positions[0].data() + cluster.first_vertex : nullptr;
+  const float* ys = is_packed ? clusters.positions[1].data() + cluster.first_vertex : nullptr;
+  const float* zs = is_packed ? clusters.positions[2].data() + cluster.first_vertex : nullptr;
   const bool is_perspective = view.projection == Projection::perspective;
   const Float depth_range(view.depth_far - view.depth_near);
   for (std::size_t i = 0; i < cluster.vertices; i += kLanes) {
