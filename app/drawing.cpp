@@ -98,12 +98,17 @@ Result<RenderOptions> render_options(const Session& session, const DrawFlags& fl
   return options;
 }
 
-Result<std::vector<Aov>> parse_aov_flag(const std::string& list) {
-  if (list.empty()) {
-    return std::vector<Aov>{};
+Result<RenderOptions> render_options(const Session& session, const DrawFlags& flags, const std::string& aovs) {
+  Result<RenderOptions> options = render_options(session, flags);
+  if (!options || aovs.empty()) {
+    return options;
   }
-  Result<std::vector<Aov>> aovs = parse_aovs(list);
-  return aovs ? std::move(aovs) : fail(aovs.error().kind, "--aov", aovs.error().message);
+  Result<std::vector<Aov>> parsed = parse_aovs(aovs);
+  if (!parsed) {
+    return fail(parsed.error().kind, "--aov", parsed.error().message);
+  }
+  options->aovs = std::move(*parsed);
+  return options;
 }
 
 std::string aov_list() {

@@ -24,9 +24,9 @@ void add_draw_flags(CLI::App& app, DrawFlags& flags, SceneFlags& scene_flags);
 /// errors  usage for an unknown target, unsupported for one that this machine lacks; `where` is the flag, or the variable of the environment
 [[nodiscard]] Result<RenderOptions> render_options(const Session& session, const DrawFlags& flags);
 
-/// parse_aovs() of the flag `--aov`; empty for an empty list.
-/// errors  usage, `where` is the flag
-[[nodiscard]] Result<std::vector<Aov>> parse_aov_flag(const std::string& list);
+/// The same with the layers that the flag `--aov` lists; an empty list is none.
+/// errors  usage for an unknown layer, `where` is the flag
+[[nodiscard]] Result<RenderOptions> render_options(const Session& session, const DrawFlags& flags, const std::string& aovs);
 
 /// The names that `--aov` knows, for its help.
 [[nodiscard]] std::string aov_list();

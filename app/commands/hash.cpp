@@ -45,15 +45,10 @@ Json hashes_as_json(const HashFlags& flags, const Rendering& rendering, const No
 }
 
 Result<ExitCode> run_hash(const Session& session, const HashFlags& flags) {
-  Result<RenderOptions> options = render_options(session, flags.draw_flags);
+  Result<RenderOptions> options = render_options(session, flags.draw_flags, flags.aovs);
   if (!options) {
     return tl::unexpected(options.error());
   }
-  Result<std::vector<Aov>> aovs = parse_aov_flag(flags.aovs);
-  if (!aovs) {
-    return tl::unexpected(aovs.error());
-  }
-  options->aovs = std::move(*aovs);
   Result<LoadedScene> loaded = load_scene_argument(flags.scene, flags.scene_flags, load_options(session, flags.mtl_tr));
   if (!loaded) {
     return tl::unexpected(loaded.error());

@@ -77,15 +77,10 @@ Result<ExitCode> run_render(const Session& session, const RenderFlags& flags) {
   if (const Result<void> checked = check_flags(session, flags); !checked) {
     return tl::unexpected(checked.error());
   }
-  Result<RenderOptions> options = render_options(session, flags.draw_flags);
+  Result<RenderOptions> options = render_options(session, flags.draw_flags, flags.aovs);
   if (!options) {
     return tl::unexpected(options.error());
   }
-  Result<std::vector<Aov>> aovs = parse_aov_flag(flags.aovs);
-  if (!aovs) {
-    return tl::unexpected(aovs.error());
-  }
-  options->aovs = std::move(*aovs);
   std::optional<std::uint64_t> expected;
   if (!flags.expected_hash.empty()) {
     const Result<std::uint64_t> parsed = parse_hash(flags.expected_hash);

@@ -70,6 +70,15 @@ std::vector<std::uint16_t> stored16(const Image& image, Transfer transfer, int t
                                     : store<std::uint16_t>(image, threads, quantize16, quantize16);
 }
 
+void store_pixel8(const std::array<float, 4>& pixel, Transfer transfer, std::array<std::uint8_t, 4>& out) {
+  if (transfer == Transfer::srgb) {
+    store_row<4>(
+        pixel, out.data(), [&table = srgb_table()](float x) { return srgb_byte(table, x); }, quantize8);
+  } else {
+    store_row<4>(pixel, out.data(), quantize8, quantize8);
+  }
+}
+
 ByteImage to_bytes(const Image& image, Transfer transfer) {
   return {.width = image.width, .height = image.height, .channels = image.channels, .pixels = stored8(image, transfer)};
 }

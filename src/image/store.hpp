@@ -1,6 +1,7 @@
 // From linear, premultiplied floats to the integers that a PNG stores.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -14,5 +15,8 @@ namespace lustro {
 
 /// The same in 16 bits, in the machine's byte order.
 [[nodiscard]] std::vector<std::uint16_t> stored16(const Image& image, Transfer transfer, int threads = 0);
+
+/// The 8-bit values of one pixel of RGBA.
+void store_pixel8(const std::array<float, 4>& pixel, Transfer transfer, std::array<std::uint8_t, 4>& out);
 
 }  // namespace lustro

@@ -6,7 +6,8 @@
 #include <numeric>
 #include <span>
 
-#include "parallel/parallel_for.hpp"
+#include "parallel/big_memory.hpp"
+#include "parallel/slices.hpp"
 
 namespace lustro {
 namespace {
@@ -103,23 +104,19 @@ double longest_side(const Vec3d& lower, const Vec3d& upper) {
 
 // Neighbours in the file make boxes far smaller than the mesh, even where a file goes row by row; triangles in random order make boxes as large
 // as the mesh, each.
-bool is_scattered(const Clusters& clusters, const Bounds& bounds) {
+bool is_scattered(const Clusters& clusters) {
+  Bounds bounds;
   double sum = 0;
   for (const Cluster& cluster : clusters.clusters) {
-    sum += longest_side(vec_cast<double>(cluster.lower), vec_cast<double>(cluster.upper));
+    const Vec3d lower = vec_cast<double>(cluster.lower);
+    const Vec3d upper = vec_cast<double>(cluster.upper);
+    bounds.include(lower);
+    bounds.include(upper);
+    sum += longest_side(lower, upper);
   }
   constexpr double kTolerated = 1.0 / 3;  // of the mesh's side, on the average
   const auto count = static_cast<double>(clusters.clusters.size());
   return count > 64 && sum > kTolerated * count * longest_side(bounds.lower, bounds.upper);
-}
-
-Bounds bounds_of(const Clusters& clusters) {
-  Bounds bounds;
-  for (const Cluster& cluster : clusters.clusters) {
-    bounds.include(vec_cast<double>(cluster.lower));
-    bounds.include(vec_cast<double>(cluster.upper));
-  }
-  return bounds;
 }
 
 // Ten bits apart by two zeros each.
@@ -136,9 +133,8 @@ Vec3f center3(const Mesh& mesh, std::uint32_t triangle) {
   return (mesh.positions[t[0]] + mesh.positions[t[1]]) + mesh.positions[t[2]];
 }
 
-// Sorts a stretch of triangles along the Morton curve of their centres, so that a cluster is a patch even where a file goes row by row. Equal
-// codes keep their order.
-void sort_stretch(const Mesh& mesh, std::span<std::uint32_t> order) {
+// Sorts triangles along the Morton curve of their centres. Equal codes keep their order.
+void sort_along_curve(const Mesh& mesh, std::span<std::uint32_t> order) {
   if (order.size() <= Cluster::kMaxTriangles) {
     return;
   }
@@ -178,13 +174,13 @@ void sort_stretch(const Mesh& mesh, std::span<std::uint32_t> order) {
 Clusters cut_all(const Mesh& mesh, std::vector<std::uint32_t> order, int threads) {
   const std::size_t count = mesh.triangles.size();
   Clusters result;
-  result.corners.resize(count + Clusters::kPadding);
+  resize_big(result.corners, count + Clusters::kPadding);
   std::vector<Stretch> stretches((count + kStretch - 1) / kStretch);
   parallel_for(stretches.size(), threads, [&](std::size_t s) {
     const std::size_t first = s * kStretch;
     const std::size_t last = std::min(count, first + kStretch);
     if (!order.empty()) {
-      sort_stretch(mesh, std::span(order).subspan(first, last - first));
+      sort_along_curve(mesh, std::span(order).subspan(first, last - first));  // a patch, even where a file goes row by row
     }
     stretches[s] = cut(mesh, order, first, last, result.corners);
   });
@@ -195,7 +191,7 @@ Clusters cut_all(const Mesh& mesh, std::vector<std::uint32_t> order, int threads
     first_vertex[s + 1] = first_vertex[s] + stretches[s].vertices.size();
   }
   result.clusters.resize(first_cluster.back());
-  result.vertices.resize(first_vertex.back() + Clusters::kPadding);
+  resize_big(result.vertices, first_vertex.back() + Clusters::kPadding);
   parallel_for(stretches.size(), threads, [&](std::size_t s) {
     std::copy(stretches[s].vertices.begin(), stretches[s].vertices.end(),
               result.vertices.begin() + static_cast<std::ptrdiff_t>(first_vertex[s]));
@@ -219,49 +215,13 @@ Clusters cut_all(const Mesh& mesh, std::vector<std::uint32_t> order, int threads
   return result;
 }
 
-// Triangles along the Morton curve of their centres; equal codes keep their order.
-std::vector<std::uint32_t> morton_order(const Mesh& mesh, const Bounds& bounds, int threads) {
-  const std::size_t count = mesh.triangles.size();
-  std::vector<std::uint32_t> codes(count);
-  const auto grid = [](double value, double lower, double upper) {
-    const double place = upper > lower ? (value - lower) / (upper - lower) : 0;
-    return static_cast<std::uint32_t>(std::clamp(place * 1024, 0.0, 1023.0));
-  };
-  parallel_for((count + kStretch - 1) / kStretch, threads, [&](std::size_t s) {
-    for (std::size_t i = s * kStretch; i < std::min(count, (s + 1) * kStretch); ++i) {
-      const auto& t = mesh.triangles[i];
-      const Vec3d center =
-          (vec_cast<double>(mesh.positions[t[0]]) + vec_cast<double>(mesh.positions[t[1]]) + vec_cast<double>(mesh.positions[t[2]])) * (1.0 / 3);
-      codes[i] = spread(grid(center.x, bounds.lower.x, bounds.upper.x)) | spread(grid(center.y, bounds.lower.y, bounds.upper.y)) << 1 |
-                 spread(grid(center.z, bounds.lower.z, bounds.upper.z)) << 2;
-    }
-  });
-  std::vector<std::uint32_t> order(count);
-  std::iota(order.begin(), order.end(), 0U);
-  std::vector<std::uint32_t> sorted(count);
-  constexpr std::size_t kDigit = 1024;
-  for (const std::uint32_t shift : {0U, 10U, 20U}) {  // radix sort, stable
-    std::vector<std::size_t> begin(kDigit + 1);
-    for (const std::uint32_t code : codes) {
-      ++begin[(code >> shift) % kDigit + 1];
-    }
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    for (const std::uint32_t triangle : order) {
-      sorted[begin[(codes[triangle] >> shift) % kDigit]++] = triangle;
-    }
-    order.swap(sorted);
-  }
-  return order;
-}
-
 // A cluster's positions beside each other, so that drawing it reads memory in one stretch.
 void gather_positions(Clusters& clusters, const Mesh& mesh, int threads) {
-  const std::size_t count = clusters.vertices.size();
   for (std::vector<float>& axis : clusters.positions) {
-    axis.resize(count);
+    resize_big(axis, clusters.vertices.size());
   }
-  parallel_for((count + kStretch - 1) / kStretch, threads, [&](std::size_t s) {
-    for (std::size_t i = s * kStretch; i < std::min(count, (s + 1) * kStretch); ++i) {
+  parallel_slices(clusters.vertices.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
       const Vec3f& p = mesh.positions[clusters.vertices[i]];  // the padding names vertex 0
       clusters.positions[0][i] = p.x;
       clusters.positions[1][i] = p.y;
@@ -276,16 +236,18 @@ Clusters make_clusters(const Mesh& mesh, ClusterUse use, int threads) {
   if (mesh.triangles.empty()) {
     return {};
   }
-  std::vector<std::uint32_t> order;
-  if (use == ClusterUse::often) {
-    order.resize(mesh.triangles.size());
+  const auto file_order = [&] {
+    std::vector<std::uint32_t> order;
+    resize_big(order, mesh.triangles.size());
     std::iota(order.begin(), order.end(), 0U);
-  }
-  Clusters clusters = cut_all(mesh, std::move(order), threads);
-  const Bounds bounds = bounds_of(clusters);
-  if (is_scattered(clusters, bounds)) {
+    return order;
+  };
+  Clusters clusters = cut_all(mesh, use == ClusterUse::often ? file_order() : std::vector<std::uint32_t>{}, threads);
+  if (is_scattered(clusters)) {
     clusters = {};
-    clusters = cut_all(mesh, morton_order(mesh, bounds, threads), threads);
+    std::vector<std::uint32_t> order = file_order();
+    sort_along_curve(mesh, order);
+    clusters = cut_all(mesh, std::move(order), threads);
   }
   if (use == ClusterUse::often) {
     gather_positions(clusters, mesh, threads);

@@ -52,6 +52,18 @@ void reorder(std::vector<T>& list, const FirstUse& numbers, int threads) {
   list = std::move(sorted);
 }
 
+/// Streams that the general and the plain form call alike.
+template <class From, class To>
+void move_what_both_have(From& from, To& to) {
+  to.positions = std::move(from.positions);
+  to.normals = std::move(from.normals);
+  to.uvs = std::move(from.uvs);
+  to.colors = std::move(from.colors);
+  to.materials = std::move(from.materials);
+  to.format = std::move(from.format);
+  to.notes = std::move(from.notes);
+}
+
 /// All faces are in one smoothing group, or there are none.
 bool is_all_smooth(const std::vector<std::uint32_t>& smoothing) {
   return smoothing.empty() ||
@@ -91,14 +103,8 @@ SourceMesh to_source(PlainMesh plain) {
   if (!plain.uvs.empty()) {
     source.corner_uv = source.corner_position;
   }
-  source.positions = std::move(plain.positions);
-  source.normals = std::move(plain.normals);
-  source.uvs = std::move(plain.uvs);
-  source.colors = std::move(plain.colors);
   source.face_material = std::move(plain.materials_of);
-  source.materials = std::move(plain.materials);
-  source.format = std::move(plain.format);
-  source.notes = std::move(plain.notes);
+  move_what_both_have(plain, source);
   return source;
 }
 
@@ -123,14 +129,8 @@ std::optional<PlainMesh> to_plain(SourceMesh& source, const NormalOptions& optio
     std::memcpy(plain.triangles.data() + begin, source.corner_position.data() + 3 * begin, 12 * (end - begin));
   });
   source.corner_position = {};
-  plain.positions = std::move(source.positions);
-  plain.normals = std::move(source.normals);
-  plain.uvs = std::move(source.uvs);
-  plain.colors = std::move(source.colors);
   plain.materials_of = std::move(source.face_material);
-  plain.materials = std::move(source.materials);
-  plain.format = std::move(source.format);
-  plain.notes = std::move(source.notes);
+  move_what_both_have(source, plain);
   return plain;
 }
 

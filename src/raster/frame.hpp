@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -44,7 +43,7 @@ struct TileLists {
 /// A pixel as it is stored: linear, premultiplied floats, and bytes.
 struct StoredPixel {
   std::array<float, 4> color{};
-  std::uint32_t bytes = 0;  ///< R, G, B, A from the lowest byte on
+  std::array<std::uint8_t, 4> bytes{};
 };
 
 /// A picture's geometry, sorted into tiles, and where its pixels go.
@@ -71,8 +70,9 @@ struct Frame {
   float* color = nullptr;         ///< H x W x 4, or null
   std::uint8_t* bytes = nullptr;  ///< H x W x 4, or null
   const SrgbTable* srgb = nullptr;
-  std::uint8_t (*srgb_byte_of)(const SrgbTable& table, float linear) = nullptr;  ///< srgb_byte(), compiled outside the rows
-  StoredPixel background;                                                        ///< of a pixel that shows nothing else
+  void (*store_pixel8)(const std::array<float, 4>&, Transfer,
+                       std::array<std::uint8_t, 4>&) = nullptr;  ///< image/store.hpp's, from outside the rows
+  StoredPixel background;                                        ///< of a pixel that shows nothing else
 
   [[nodiscard]] TileArea area(std::size_t tile) const {
     const int x = static_cast<int>(tile) % tiles_x * tile_width;
@@ -145,8 +145,8 @@ struct TileScratch {
   std::vector<float> block_farthest;  ///< the smallest depth key in each block; -1: nothing drawn yet; below: to be found again
   std::size_t blocks_x = 0;
 
-  double visibility_seconds = 0;
-  double shading_seconds = 0;
+  double visibility_ms = 0;
+  double shading_ms = 0;
   std::uint64_t pixels_covered = 0;
 
   /// Room for tiles of this frame. Allocates only where the last frame was smaller.

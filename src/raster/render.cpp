@@ -8,7 +8,9 @@
 #include <mutex>
 #include <new>
 
+#include "image/store.hpp"
 #include "parallel/parallel_for.hpp"
+#include "parallel/progress.hpp"
 #include "raster/bins.hpp"
 #include "raster/frame.hpp"
 #include "raster/target.hpp"
@@ -35,24 +37,6 @@ using Clock = std::chrono::steady_clock;
 double milliseconds(Clock::duration duration) {
   return std::chrono::duration<double, std::milli>(duration).count();
 }
-
-/// Calls progress with the share of tiles that are done, one call at a time.
-class Progress {
- public:
-  Progress(const std::function<void(double)>& report, std::size_t total) : report_(report), total_(total) {}
-  void step() {
-    if (report_) {
-      const std::lock_guard lock(mutex_);
-      report_(static_cast<double>(++done_) / static_cast<double>(total_));
-    }
-  }
-
- private:
-  const std::function<void(double)>& report_;
-  std::size_t total_;
-  std::size_t done_ = 0;
-  std::mutex mutex_;
-};
 
 /// Hands out a scratch to whoever draws a tile.
 class ScratchPool {
@@ -103,7 +87,7 @@ void resize(AnyImage& image, const View& view, int channels) {
   image.pixels.resize(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height) * static_cast<std::size_t>(channels));
 }
 
-/// A pixel that shows the background alone, as reference/pixel.cpp sums it and image/store.cpp stores it.
+/// A pixel that shows the background alone, as reference/pixel.cpp sums it.
 StoredPixel background_pixel(const PreparedScene& scene) {
   Pixel pixel;
   const std::array<float, 4>& b = scene.background;
@@ -111,12 +95,7 @@ StoredPixel background_pixel(const PreparedScene& scene) {
   pixel.alpha = 0.0F + b[3];
   StoredPixel stored;
   stored.color = pixel.color();
-  Image one(1, 1, 4);
-  std::copy(stored.color.begin(), stored.color.end(), one.pixels.begin());
-  const ByteImage bytes = to_bytes(one, scene.transfer);
-  for (std::size_t i = 0; i < 4; ++i) {
-    stored.bytes |= static_cast<std::uint32_t>(bytes.pixels[i]) << (8 * i);
-  }
+  store_pixel8(stored.color, scene.transfer, stored.bytes);
   return stored;
 }
 
@@ -149,12 +128,12 @@ void lay_out(Frame& frame, const PreparedScene& scene, std::span<const Aov> aovs
   frame.color = options.store_color ? result.color.pixels.data() : nullptr;
   frame.bytes = options.store_bytes ? result.bytes.pixels.data() : nullptr;
   frame.srgb = scene.transfer == Transfer::srgb ? &srgb_table() : nullptr;
-  frame.srgb_byte_of = srgb_byte;
+  frame.store_pixel8 = store_pixel8;
   frame.background = background_pixel(scene);
 }
 
-Result<void> draw_tiles(Frame& frame, std::vector<std::unique_ptr<TileScratch>>& scratches, const Kernels& kernels, const RenderOptions& options,
-                        Rendering& result) {
+void draw_tiles(Frame& frame, std::vector<std::unique_ptr<TileScratch>>& scratches, const Kernels& kernels, const RenderOptions& options,
+                Rendering& result) {
   const auto begin = Clock::now();
   const std::size_t tiles = static_cast<std::size_t>(frame.tiles_x) * static_cast<std::size_t>(frame.tiles_y);
   Progress progress(options.progress, tiles);
@@ -165,22 +144,21 @@ Result<void> draw_tiles(Frame& frame, std::vector<std::unique_ptr<TileScratch>>&
     kernels.fill_tile(frame, tile, *scratch);
     const auto filled = Clock::now();
     kernels.shade_tile(frame, tile, *scratch);
-    scratch->visibility_seconds += milliseconds(filled - start);
-    scratch->shading_seconds += milliseconds(Clock::now() - filled);
+    scratch->visibility_ms += milliseconds(filled - start);
+    scratch->shading_ms += milliseconds(Clock::now() - filled);
     pool.give_back(scratch);
     progress.step();
   });
   double visibility = 0;
   double shading = 0;
   for (const auto& scratch : pool.used()) {
-    visibility += scratch->visibility_seconds;
-    shading += scratch->shading_seconds;
+    visibility += scratch->visibility_ms;
+    shading += scratch->shading_ms;
     result.stats.pixels_covered += scratch->pixels_covered;
   }
   const double share = milliseconds(Clock::now() - begin) / std::max(visibility + shading, 1e-9);
   result.times.visibility = visibility * share;
   result.times.shading = shading * share;
-  return {};
 }
 
 Result<void> draw(const Scene& scene, const RenderOptions& options, Workshop& workshop, Rendering& result) {
@@ -200,18 +178,16 @@ Result<void> draw(const Scene& scene, const RenderOptions& options, Workshop& wo
   result.notes = prepared->notes;
   result.times = {};
   result.times.prepare = milliseconds(Clock::now() - begin);
-  if (options.engine == Engine::reference) {
-    if (auto drawn = render_reference(*prepared, options, result); !drawn) {
-      return drawn;
-    }
-    result.times.total = milliseconds(Clock::now() - begin);
-    return {};
-  }
-  result.stats = {.triangles = prepared->triangle_count};
   result.layers.clear();
   for (const Aov& aov : *aovs) {
     result.layers.push_back(make_layer(aov, *prepared));
   }
+  if (options.engine == Engine::reference) {
+    render_reference(*prepared, *aovs, options, result);  // reference/render.cpp
+    result.times.total = milliseconds(Clock::now() - begin);
+    return {};
+  }
+  result.stats = {.triangles = prepared->triangle_count};
   if (options.store_color) {
     resize(result.color, prepared->view, 4);
   }
@@ -222,9 +198,7 @@ Result<void> draw(const Scene& scene, const RenderOptions& options, Workshop& wo
   const auto laid_out = Clock::now();
   sort_into_tiles(workshop.frame, options.threads);  // raster/bins.cpp
   result.times.cull = milliseconds(Clock::now() - laid_out);
-  if (auto drawn = draw_tiles(workshop.frame, workshop.scratches, kernels_of(*target), options, result); !drawn) {  // raster/row.cpp
-    return drawn;
-  }
+  draw_tiles(workshop.frame, workshop.scratches, kernels_of(*target), options, result);  // raster/row.cpp
   if (result.stats.pixels_covered == 0) {
     result.stats.triangles_seen = setup_triangles(*prepared, options.threads).size();
   }

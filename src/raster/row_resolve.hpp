@@ -4,7 +4,6 @@
 
 #include "raster/frame.hpp"
 #include "raster/row_shade.hpp"
-#include "reference/aov.hpp"
 #include "simd/lanes.hpp"
 
 // What a kernel fills is not cleared first.
@@ -139,24 +138,14 @@ HWY_INLINE Vec3f output_at(const TileScratch& s, std::size_t which, std::size_t 
 
 inline void store_color(const Frame& frame, int x, int y, const Vec3f& rgb, float alpha) {
   const std::size_t at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.scene->view.width) + static_cast<std::size_t>(x));
+  const std::array<float, 4> color{rgb.x, rgb.y, rgb.z, alpha};
   if (frame.color != nullptr) {
-    float* to = frame.color + at;
-    to[0] = rgb.x;
-    to[1] = rgb.y;
-    to[2] = rgb.z;
-    to[3] = alpha;
+    std::memcpy(frame.color + at, color.data(), sizeof color);
   }
-  if (frame.bytes != nullptr) {  // image/store.cpp
-    const float divisor = alpha < 1.0F ? alpha : 1.0F;
-    const auto stored = [&](float c) {
-      const float color = alpha > 0.0F ? c / divisor : 0.0F;
-      return frame.srgb != nullptr ? frame.srgb_byte_of(*frame.srgb, color) : quantize8(color);
-    };
-    std::uint8_t* to = frame.bytes + at;
-    to[0] = stored(rgb.x);
-    to[1] = stored(rgb.y);
-    to[2] = stored(rgb.z);
-    to[3] = quantize8(alpha);
+  if (frame.bytes != nullptr) {
+    std::array<std::uint8_t, 4> bytes;
+    frame.store_pixel8(color, frame.scene->transfer, bytes);
+    std::memcpy(frame.bytes + at, bytes.data(), sizeof bytes);
   }
 }
 
@@ -248,7 +237,7 @@ HWY_INLINE void store_background(const Frame& frame, int x, int y, std::size_t c
   const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.scene->view.width) + static_cast<std::size_t>(x);
   if (frame.bytes != nullptr) {
     for (std::size_t i = 0; i < count; ++i) {
-      std::memcpy(frame.bytes + 4 * (first + i), &frame.background.bytes, 4);
+      std::memcpy(frame.bytes + 4 * (first + i), frame.background.bytes.data(), 4);
     }
   }
   if (frame.color != nullptr) {

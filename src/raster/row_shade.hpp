@@ -350,28 +350,16 @@ inline HWY_NOINLINE void shade_parts(const Frame& frame, TileScratch& s, const I
   }
 }
 
-/// image/store.cpp for lanes: the byte of a colour on an opaque pixel.
-HWY_INLINE Int stored_byte(const Frame& frame, Float color) {
+/// image/store.cpp for lanes: the byte of a colour on an opaque pixel. Lanes whose table entry does not decide (SrgbTable) join `is_uneven`.
+HWY_INLINE Int stored_byte(const Frame& frame, Float color, Mask& is_uneven) {
   if (frame.srgb == nullptr) {
     return truncate(clamp01(color) * Float(255) + Float(0.5F));
   }
   const Float x = lane_min(lane_max(color, Float(std::bit_cast<float>(SrgbTable::kFirst))), Float(1));
   const Int bits = bits_of(x);
   const Int entry = gather(frame.srgb->entries.data(), (bits - Int(static_cast<std::int32_t>(SrgbTable::kFirst))) >> 16);
-  Int byte = (entry + (bits & Int(0xFFFF))) >> 16;
-  const Mask is_uneven = entry < Int(0);
-  if (HWY_UNLIKELY(any_of(is_uneven))) {
-    alignas(64) std::array<float, kLanes> colors;
-    alignas(64) std::array<std::int32_t, kLanes> bytes;
-    store(colors.data(), color);
-    store(bytes.data(), byte);
-    for (std::uint32_t left = mask_bits(is_uneven); left != 0; left &= left - 1) {
-      const auto lane = static_cast<std::size_t>(__builtin_ctz(left));
-      bytes[lane] = frame.srgb_byte_of(*frame.srgb, colors[lane]);
-    }
-    byte = load(bytes.data());
-  }
-  return byte;
+  is_uneven = is_uneven | (entry < Int(0));
+  return (entry + (bits & Int(0xFFFF))) >> 16;
 }
 
 /// Fragments that are all of their pixels: lit, summed and stored.
@@ -407,22 +395,31 @@ inline HWY_NOINLINE void shade_whole(const Frame& frame, TileScratch& s, const I
   const auto pixel = [&](std::size_t lane) {
     return static_cast<std::size_t>(s.whole.y[begin + lane] >> 8) * width + static_cast<std::size_t>(s.whole.x[begin + lane] >> 8);
   };
+  alignas(64) std::array<std::array<float, kLanes>, 3> channels;
+  store(channels[0].data(), rgb.x);
+  store(channels[1].data(), rgb.y);
+  store(channels[2].data(), rgb.z);
+  const auto color_at = [&](std::size_t i) {
+    return std::array<float, 4>{channels[0][i], channels[1][i], channels[2][i], 1.0F + back[3] * 0.0F};
+  };
   if (frame.bytes != nullptr) {
-    alignas(64) std::array<std::uint32_t, kLanes> packed;
-    store(packed.data(), (stored_byte(frame, rgb.x) | stored_byte(frame, rgb.y) << 8) |
-                             (stored_byte(frame, rgb.z) << 16 | Int(static_cast<std::int32_t>(0xFF000000U))));
+    Mask is_uneven = first_lanes(0);
+    const Int red = stored_byte(frame, rgb.x, is_uneven);
+    const Int green = stored_byte(frame, rgb.y, is_uneven);
+    const Int blue = stored_byte(frame, rgb.z, is_uneven);
+    alignas(64) std::array<std::array<std::uint8_t, 4>, kLanes> packed;
+    store(reinterpret_cast<std::uint32_t*>(packed.data()), (red | green << 8) | (blue << 16 | Int(static_cast<std::int32_t>(0xFF000000U))));
+    for (std::uint32_t left = mask_bits(is_uneven); left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+      frame.store_pixel8(color_at(i), scene.transfer, packed[i]);
+    }
     for (std::size_t i = 0; i < count; ++i) {
-      std::memcpy(frame.bytes + 4 * pixel(i), &packed[i], 4);
+      std::memcpy(frame.bytes + 4 * pixel(i), packed[i].data(), 4);
     }
   }
   if (frame.color != nullptr) {
-    alignas(64) std::array<std::array<float, kLanes>, 3> channels;
-    store(channels[0].data(), rgb.x);
-    store(channels[1].data(), rgb.y);
-    store(channels[2].data(), rgb.z);
-    const float alpha = 1.0F + back[3] * 0.0F;
     for (std::size_t i = 0; i < count; ++i) {
-      const std::array<float, 4> color{channels[0][i], channels[1][i], channels[2][i], alpha};
+      const std::array<float, 4> color = color_at(i);
       std::memcpy(frame.color + 4 * pixel(i), color.data(), sizeof color);
     }
   }

@@ -21,8 +21,8 @@ void TileScratch::fit(const Frame& frame) {
     light_output.resize(std::max(light_output.size(), frame.scene->lights.size() * 3 * (kFragments + kPadding)));
     light_parts.resize(frame.scene->lights.size());
   }
-  visibility_seconds = 0;
-  shading_seconds = 0;
+  visibility_ms = 0;
+  shading_ms = 0;
   pixels_covered = 0;
 }
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <mutex>
 
 #include "parallel/parallel_for.hpp"
+#include "parallel/progress.hpp"
 #include "reference/aov.hpp"
 #include "reference/pixel.hpp"
 #include "reference/triangle.hpp"
@@ -32,38 +32,12 @@ std::vector<std::vector<std::uint32_t>> bin_by_band(const View& view, const std:
   return bins;
 }
 
-// Calls progress with the share of bands that are done, one call at a time.
-class Progress {
- public:
-  Progress(const std::function<void(double)>& report, std::size_t total) : report_(report), total_(total) {}
-  void step() {
-    if (report_) {
-      const std::lock_guard lock(mutex_);
-      report_(static_cast<double>(++done_) / static_cast<double>(total_));
-    }
-  }
-
- private:
-  const std::function<void(double)>& report_;
-  std::size_t total_;
-  std::size_t done_ = 0;
-  std::mutex mutex_;
-};
-
 }  // namespace
 
-Result<void> render_reference(const PreparedScene& scene, const RenderOptions& options, Rendering& result) {
-  const auto aovs = unfold_aovs(options.aovs, scene);  // reference/aov.cpp
-  if (!aovs) {
-    return tl::unexpected(aovs.error());
-  }
-  const bool wants_lights = std::any_of(aovs->begin(), aovs->end(), [](const Aov& aov) { return aov.kind == AovKind::light; });
+void render_reference(const PreparedScene& scene, std::span<const Aov> aovs, const RenderOptions& options, Rendering& result) {
+  const bool wants_lights = std::any_of(aovs.begin(), aovs.end(), [](const Aov& aov) { return aov.kind == AovKind::light; });
   const View& view = scene.view;
   result.color = Image(view.width, view.height, 4);
-  result.layers.clear();
-  for (const Aov& aov : *aovs) {
-    result.layers.push_back(make_layer(aov, scene));
-  }
   const std::vector<ScreenTriangle> triangles = setup_triangles(scene, options.threads);  // reference/triangle.cpp
   const auto bins = bin_by_band(view, triangles);
 
@@ -82,8 +56,8 @@ Result<void> render_reference(const PreparedScene& scene, const RenderOptions& o
         const Pixel pixel = resolve_pixel(scene, triangles, visibility, x, y, wants_lights, nullptr);  // reference/pixel.cpp
         const std::array<float, 4> color = pixel.color();
         std::copy(color.begin(), color.end(), result.color.at(x, y).begin());
-        for (std::size_t i = 0; i < aovs->size(); ++i) {
-          store_aov((*aovs)[i], scene, pixel, result.layers[i].image.at(x, y));
+        for (std::size_t i = 0; i < aovs.size(); ++i) {
+          store_aov(aovs[i], scene, pixel, result.layers[i].image.at(x, y));
         }
         covered_here += pixel.coverage > 0 ? 1 : 0;
       }
@@ -95,7 +69,6 @@ Result<void> render_reference(const PreparedScene& scene, const RenderOptions& o
   if (options.store_bytes) {
     result.bytes = to_bytes(result.color, scene.transfer);
   }
-  return {};
 }
 
 }  // namespace lustro

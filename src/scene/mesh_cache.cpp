@@ -9,19 +9,17 @@
 
 #include "image/srgb.hpp"
 #include "mesh/normals.hpp"
-#include "parallel/parallel_for.hpp"
+#include "parallel/slices.hpp"
 
 namespace lustro {
 namespace {
-
-constexpr std::size_t kStretch = 65536;
 
 // Whether `holds` is true of every index below `count`.
 template <class Holds>
 bool all_of(std::size_t count, int threads, Holds&& holds) {
   std::atomic<bool> result{true};
-  parallel_for((count + kStretch - 1) / kStretch, threads, [&](std::size_t s) {
-    for (std::size_t i = s * kStretch; i < std::min(count, (s + 1) * kStretch); ++i) {
+  parallel_slices(count, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
       if (!holds(i)) {
         result = false;
         return;
