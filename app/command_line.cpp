@@ -61,10 +61,15 @@ std::size_t first_own_argument(const std::vector<std::string>& arguments) {
   return i;
 }
 
+const CommandMaker* find_maker(std::span<const CommandMaker> makers, std::string_view name) {
+  const auto found = std::find_if(makers.begin(), makers.end(), [&](const CommandMaker& maker) { return maker.name == name; });
+  return found == makers.end() ? nullptr : &*found;
+}
+
 /// `lustro bunny.ply --size 800x600` and `lustro --size 800x600 bunny.ply` mean render.
-void insert_default_subcommand(const CommandLine& line, std::vector<std::string>& arguments) {
+void insert_default_subcommand(std::span<const CommandMaker> makers, std::vector<std::string>& arguments) {
   const std::size_t i = first_own_argument(arguments);
-  if (i >= arguments.size() || line.find(arguments[i]) != nullptr) {
+  if (i >= arguments.size() || find_maker(makers, arguments[i]) != nullptr) {
     return;
   }
   const std::string& word = arguments[i];
@@ -76,6 +81,16 @@ void insert_default_subcommand(const CommandLine& line, std::vector<std::string>
   if (means_render) {
     arguments.insert(arguments.begin() + static_cast<std::ptrdiff_t>(i), "render");
   }
+}
+
+/// The first word that names a subcommand, or null. It need not come first: `lustro --help render` asks about render.
+const CommandMaker* named_command(std::span<const CommandMaker> makers, const std::vector<std::string>& arguments) {
+  for (const std::string& word : arguments) {
+    if (const CommandMaker* const maker = find_maker(makers, word); maker != nullptr) {
+      return maker;
+    }
+  }
+  return nullptr;
 }
 
 /// The subcommand that the arguments named, or null.
@@ -110,8 +125,8 @@ ExitCode refuse_unknown_flag(const std::string& flag, const CLI::App& app, const
 
 ExitCode refuse_unknown_subcommand(const std::string& word, const CommandLine& line) {
   std::vector<std::string> known;
-  for (const Command& command : line.commands) {
-    known.push_back(command.app->get_name());
+  for (const CommandMaker& maker : line.makers) {
+    known.emplace_back(maker.name);
   }
   const std::string nearest = nearest_word(word, known);
   return refuse(nearest.empty()
@@ -174,13 +189,9 @@ ExitCode run_command(const Command& command) {
 
 }  // namespace
 
-const Command* CommandLine::find(const std::string& name) const {
-  const auto found = std::find_if(commands.begin(), commands.end(), [&](const Command& command) { return command.app->get_name() == name; });
-  return found == commands.end() ? nullptr : &*found;
-}
-
-CommandLine make_command_line(Session& session) {
+CommandLine make_command_line(Session& session, std::span<const CommandMaker> makers) {
   CommandLine line;
+  line.makers = makers;
   line.root = std::make_unique<CLI::App>("Lights and shades triangle meshes on the CPU", "lustro");
   line.root->require_subcommand(0, 1);
   line.root->allow_windows_style_options(false);
@@ -196,13 +207,18 @@ CLI::App* add_subcommand(CommandLine& line, Session& session, const std::string&
   return app;
 }
 
-ExitCode run_command_line(CommandLine& line, std::vector<std::string> arguments) {
-  insert_default_subcommand(line, arguments);
+ExitCode run_command_line(std::span<const CommandMaker> makers, std::vector<std::string> arguments) {
+  insert_default_subcommand(makers, arguments);
+  Session session;
+  CommandLine line = make_command_line(session, makers);
+  if (const CommandMaker* const named = named_command(makers, arguments); named != nullptr) {
+    line.commands.push_back(named->make(line, session));
+  }
   try {
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
     line.root->parse(std::move(reversed));
   } catch (const CLI::CallForHelp&) {
-    const Manual manual = make_manual(line);
+    const Manual manual = make_manual(makers);
     const Command* command = chosen_command(line);
     const std::string text = command == nullptr ? root_help(manual) : command_help(*manual.find(command->app->get_name()));
     const Result<void> printed = print(text);

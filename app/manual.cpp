@@ -96,13 +96,16 @@ const CommandDoc* Manual::find(const std::string& name) const {
   return found == commands.end() ? nullptr : &*found;
 }
 
-Manual make_manual(const CommandLine& line) {
+Manual make_manual(std::span<const CommandMaker> makers) {
+  Session session;
+  CommandLine line = make_command_line(session, makers);
   Manual manual;
   manual.root = command_doc(*line.root, "",
                             {{"lustro bunny.ply", "draws the mesh from a pleasant side into bunny.png, beside it"},
                              {"lustro render scene.json -o scene.png", "draws a scene file"},
                              {"lustro primitive:teapot --material jade -o teapot.png", "needs no file at all"}});
-  for (const Command& command : line.commands) {
+  for (const CommandMaker& maker : makers) {
+    const Command command = maker.make(line, session);
     manual.commands.push_back(command_doc(*command.app, command.app->get_name(), command.examples));
   }
   return manual;

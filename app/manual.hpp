@@ -38,6 +38,7 @@ struct Manual {
   [[nodiscard]] const CommandDoc* find(const std::string& name) const;
 };
 
-[[nodiscard]] Manual make_manual(const CommandLine& line);
+/// All subcommands, made for the purpose.
+[[nodiscard]] Manual make_manual(std::span<const CommandMaker> makers);
 
 }  // namespace lustro::app

@@ -15,7 +15,7 @@ Command make_completions(CommandLine& line, Session& session) {
                    {"lustro completions fish > ~/.config/fish/completions/lustro.fish", "completes in every fish"}},
                   {}};
   command.run = [&line, shell]() -> Result<ExitCode> {
-    const Manual manual = make_manual(line);
+    const Manual manual = make_manual(line.makers);
     const std::string script = *shell == "bash" ? bash_completion(manual) : *shell == "zsh" ? zsh_completion(manual) : fish_completion(manual);
     return print(script).map([] { return ExitCode::success; });
   };
