@@ -7,6 +7,7 @@
 
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
+#include "app/heap.hpp"
 
 namespace {
 
@@ -31,6 +32,7 @@ constexpr std::array kCommands{
 }  // namespace
 
 int main(int argc, char** argv) {
+  prepare_heap();
   try {
     return static_cast<int>(run_command_line(kCommands, std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc)));
   } catch (const std::bad_alloc&) {
