@@ -1,11 +1,49 @@
 # What Lustro takes from others; the reasons stand in docs/design/dependencies.md.
+add_library(lustro_public_dependencies INTERFACE) # what our headers include
+add_library(lustro_core_dependencies INTERFACE)   # what the core's sources include and link
+add_library(lustro_row_dependencies INTERFACE)    # what the rows of kernels include
+add_library(lustro_private_dependencies INTERFACE) # all that the library links, and the headers that its sources and tests include
+
+# --- what runs loops ---------------------------------------------------------------------------------------------------------------
+set(lustro_threads "")
+if(LUSTRO_THREADS STREQUAL "tbb")
+  find_package(TBB REQUIRED)
+  set(lustro_threads TBB::tbb)
+elseif(LUSTRO_THREADS STREQUAL "std")
+  find_package(Threads REQUIRED)
+  set(lustro_threads Threads::Threads)
+  target_compile_definitions(lustro_core_dependencies INTERFACE LUSTRO_THREADS_STD)
+elseif(LUSTRO_THREADS STREQUAL "off")
+  target_compile_definitions(lustro_core_dependencies INTERFACE LUSTRO_THREADS_OFF)
+else()
+  message(FATAL_ERROR "LUSTRO_THREADS is \"${LUSTRO_THREADS}\"; known are tbb, std, off")
+endif()
+
+# --- the core alone ----------------------------------------------------------------------------------------------------------------
+# Its libraries are headers, the same for every processor: a cross compiler is shown these folders, and nothing else of this machine's.
+if(LUSTRO_CORE_ONLY)
+  set(headers ${PROJECT_BINARY_DIR}/headers)
+  file(MAKE_DIRECTORY ${headers})
+  foreach(header tl/expected.hpp fmt/format.h nlohmann/json.hpp fast_float/fast_float.h hwy/highway.h)
+    cmake_path(GET header PARENT_PATH folder)
+    find_path(LUSTRO_${folder}_HEADERS ${header} PATHS /usr/include /usr/local/include REQUIRED NO_CMAKE_FIND_ROOT_PATH
+              DOC "The folder that holds ${header}")
+    file(CREATE_LINK ${LUSTRO_${folder}_HEADERS}/${folder} ${headers}/${folder} SYMBOLIC)
+  endforeach()
+  target_include_directories(lustro_public_dependencies SYSTEM INTERFACE ${headers})
+  target_compile_definitions(lustro_core_dependencies INTERFACE FMT_HEADER_ONLY)
+  target_link_libraries(lustro_core_dependencies INTERFACE ${lustro_threads})
+  return()
+endif()
+
+# --- the library -------------------------------------------------------------------------------------------------------------------
 find_package(PkgConfig REQUIRED)
 find_package(tl-expected REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
-find_package(TBB REQUIRED)
 find_package(OpenEXR 3 REQUIRED)
 find_package(FastFloat REQUIRED)
+pkg_check_modules(HWY REQUIRED libhwy)
 pkg_check_modules(SPNG REQUIRED IMPORTED_TARGET spng)
 pkg_check_modules(DEFLATE REQUIRED IMPORTED_TARGET libdeflate)
 pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)
@@ -14,13 +52,13 @@ pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)
 pkg_check_modules(WEBP IMPORTED_TARGET libwebpmux libwebp)
 pkg_check_modules(GIF IMPORTED_TARGET libgif)
 
-add_library(lustro_public_dependencies INTERFACE)
 target_link_libraries(lustro_public_dependencies INTERFACE tl::expected)
+target_include_directories(lustro_row_dependencies SYSTEM INTERFACE ${HWY_INCLUDE_DIRS})
 
 # Headers alone are needed only to build the library itself; what is linked is needed by whoever links it when it is static.
-add_library(lustro_private_dependencies INTERFACE)
-target_link_libraries(lustro_private_dependencies INTERFACE fmt::fmt TBB::tbb OpenEXR::OpenEXR PkgConfig::SPNG PkgConfig::DEFLATE PkgConfig::FREETYPE
-                      $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> $<BUILD_INTERFACE:FastFloat::fast_float>)
+set(core_libraries fmt::fmt ${lustro_threads} $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> $<BUILD_INTERFACE:FastFloat::fast_float>)
+target_link_libraries(lustro_core_dependencies INTERFACE ${core_libraries})
+target_link_libraries(lustro_private_dependencies INTERFACE ${core_libraries} OpenEXR::OpenEXR PkgConfig::SPNG PkgConfig::DEFLATE PkgConfig::FREETYPE)
 
 foreach(library WEBP GIF)
   if(${library}_FOUND)
@@ -30,7 +68,10 @@ foreach(library WEBP GIF)
 endforeach()
 
 # The same for pkg-config, by the names of their .pc files; cmake/lustroConfig.cmake.in finds them for CMake.
-set(LUSTRO_PKG_CONFIG_REQUIRES fmt tbb OpenEXR spng libdeflate freetype2)
+set(LUSTRO_PKG_CONFIG_REQUIRES fmt OpenEXR spng libdeflate freetype2)
+if(LUSTRO_THREADS STREQUAL "tbb")
+  list(APPEND LUSTRO_PKG_CONFIG_REQUIRES tbb)
+endif()
 if(WEBP_FOUND)
   list(APPEND LUSTRO_PKG_CONFIG_REQUIRES libwebpmux libwebp)
 endif()

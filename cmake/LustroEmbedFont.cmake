@@ -5,4 +5,4 @@ find_file(LUSTRO_FONT DejaVuSans.ttf PATHS /usr/share/fonts/truetype/dejavu /usr
 if(NOT LUSTRO_FONT)
   message(FATAL_ERROR "DejaVuSans.ttf is not found (Debian: fonts-dejavu-core); state it with -D LUSTRO_FONT=FILE")
 endif()
-lustro_embed_bytes(${LUSTRO_FONT} image/dejavu_sans.inc)
+lustro_embed_bytes(lustro ${LUSTRO_FONT} image/dejavu_sans.inc)

@@ -11,4 +11,4 @@ function(lustro_embed_text target)
   target_include_directories(${target} PRIVATE ${folder})
 endfunction()
 
-lustro_embed_text(lustro src/shade/lighting.glsl src/shade/fog.glsl src/shade/vertex.glsl src/shade/fragment.glsl)
+lustro_embed_text(lustro_core src/shade/lighting.glsl src/shade/fog.glsl src/shade/vertex.glsl src/shade/fragment.glsl)

@@ -157,7 +157,7 @@ std::vector<Vec3f> group_normals(const Faces& faces, const FacePlanes& planes, c
     const auto begin = static_cast<std::uint32_t>(std::size_t{groups.count} * r / ranges);
     const auto end = static_cast<std::uint32_t>(std::size_t{groups.count} * (r + 1) / ranges);
     const NormalSums range(faces, planes, groups, weights, begin, end);
-    std::transform(range.sums().begin(), range.sums().end(), normals.begin() + begin, [](const Sum& sum) { return sum.unit(); });
+    std::transform(range.sums().begin(), range.sums().end(), normals.data() + begin, [](const Sum& sum) { return sum.unit(); });
   });
   return normals;
 }

@@ -224,7 +224,7 @@ SmoothingGroups smoothing_groups(const Faces& faces, std::span<const Vec3d> norm
   resize_big(corner_face, faces.corner_position.size());
   parallel_slices(faces.size(), threads, [&](std::size_t first, std::size_t last) {
     for (std::size_t f = first; f < last; ++f) {
-      std::fill(corner_face.begin() + faces.begin[f], corner_face.begin() + faces.begin[f + 1], static_cast<std::uint32_t>(f));
+      std::fill(corner_face.data() + faces.begin[f], corner_face.data() + faces.begin[f + 1], static_cast<std::uint32_t>(f));
     }
   });
   const Rings rings = rings_of(faces, threads);

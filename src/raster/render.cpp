@@ -117,8 +117,7 @@ void lay_out(Frame& frame, const PreparedScene& scene, std::span<const Aov> aovs
   frame.material_instance.assign(scene.materials.size(), 0);
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const std::size_t end = i + 1 < scene.instances.size() ? scene.instances[i + 1].first_material : scene.materials.size();
-    std::fill(frame.material_instance.begin() + scene.instances[i].first_material,
-              frame.material_instance.begin() + static_cast<std::ptrdiff_t>(end), i);
+    std::fill(frame.material_instance.data() + scene.instances[i].first_material, frame.material_instance.data() + end, i);
   }
   frame.aovs = aovs;
   frame.wants_all = !aovs.empty();

@@ -4,6 +4,7 @@
 import os
 import pathlib
 import platform
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -62,11 +63,11 @@ class FolderRule(unittest.TestCase):
 
 
 class ImagePath(unittest.TestCase):
-    def verdict(self, source: str, *flags, name="src/math/x.cpp"):
+    def verdict(self, source: str, *flags, name="src/math/x.cpp", compiler=os.environ.get("CXX", "c++")):
         with tempfile.TemporaryDirectory() as folder:
-            path = pathlib.Path(folder) / "CMakeFiles" / "lustro.dir" / f"{name}.o"
+            path = pathlib.Path(folder) / "CMakeFiles" / "lustro_core.dir" / f"{name}.o"
             path.parent.mkdir(parents=True)
-            subprocess.run([os.environ.get("CXX", "c++"), "-O2", "-x", "c++", "-", "-c", *flags, "-o", str(path)], input=source, text=True, check=True)
+            subprocess.run([compiler, "-O2", "-x", "c++", "-", "-c", *flags, "-o", str(path)], input=source, text=True, check=True)
             return check("check_image_path", folder)
 
     def test_plain_arithmetic_is_fine(self):
@@ -98,6 +99,20 @@ class ImagePath(unittest.TestCase):
         code, says = self.verdict(source)
         self.assertEqual(code, 1, says)
         self.assertIn("rsqrtps", says)
+
+    @unittest.skipUnless(shutil.which("aarch64-linux-gnu-g++"), "no cross compiler for ARM")
+    def test_arm_is_read_by_its_own_tools(self):
+        fused = "float f(float a) { return a * a + a; }\nfloat g(const float* p, float a) { for (int i = 0; i < 64; ++i) { a += p[i]; } return a; }\n"
+        estimate = "#include <arm_neon.h>\nfloat32x4_t f(float32x4_t a) { return vrsqrteq_f32(a); }\n"
+        for source, flags, verdict in ((fused, "-ffp-contract=off", 0), (fused, "-ffp-contract=fast", 1), (estimate, "-ffp-contract=off", 1)):
+            code, says = self.verdict(source, flags, compiler="aarch64-linux-gnu-g++")
+            self.assertEqual(code, verdict, says)
+
+    @unittest.skipUnless(shutil.which("em++") and shutil.which("llvm-objdump-14"), "no Emscripten")
+    def test_webassembly_is_read_by_its_own_tools(self):
+        for source, verdict in (("float f(float a) { return __builtin_sqrtf(a); }\n", 0), ("#include <math.h>\nfloat f(float a) { return sinf(a); }\n", 1)):
+            code, says = self.verdict(source, "-fno-math-errno", compiler="em++")
+            self.assertEqual(code, verdict, says)
 
 
 if __name__ == "__main__":

@@ -4,10 +4,6 @@
 // After a change that is meant:  LUSTRO_UPDATE_GOLDENS=1 build/release/tests/test_truth --gtest_filter='Golden.*'
 #include <gtest/gtest.h>
 
-#include <bit>
-#include <cinttypes>
-#include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -15,47 +11,11 @@
 #include <string>
 
 #include "lustro/lustro.hpp"
+#include "truth/golden_hash.hpp"
 #include "truth/scene_tree.hpp"
 
 namespace lustro::truth {
 namespace {
-
-/// FNV-1a (Fowler, Noll, Vo), 64 bits, over 32-bit words.
-class Hash {
- public:
-  void add(std::span<const float> values) {
-    for (const float value : values) {
-      state_ = (state_ ^ std::bit_cast<std::uint32_t>(value)) * 0x100000001B3U;
-    }
-  }
-  [[nodiscard]] std::string text() const {
-    std::array<char, 17> digits{};
-    std::snprintf(digits.data(), digits.size(), "%016" PRIx64, state_);
-    return digits.data();
-  }
-
- private:
-  std::uint64_t state_ = 0xCBF29CE484222325U;
-};
-
-std::string hash_of(const Scene& scene, int threads, Engine engine) {
-  RenderOptions options;
-  options.engine = engine;
-  options.threads = threads;
-  for (const AovKind kind : {AovKind::diffuse, AovKind::specular, AovKind::depth, AovKind::normal, AovKind::barycentrics}) {
-    options.aovs.push_back({kind});
-  }
-  const Result<Rendering> rendering = render(scene, options);
-  if (!rendering) {
-    return rendering.error().text();
-  }
-  Hash hash;
-  hash.add(rendering->color.pixels);
-  for (const Layer& layer : rendering->layers) {
-    hash.add(layer.image.pixels);
-  }
-  return hash.text();
-}
 
 std::filesystem::path golden_file() {
   return std::filesystem::path(LUSTRO_SOURCE_DIR) / "tests" / "truth" / "golden_hashes.txt";
@@ -76,7 +36,7 @@ TEST(Golden, EverySceneHasTheBitsThatItHad) {
   if (std::getenv("LUSTRO_UPDATE_GOLDENS") != nullptr) {
     std::ofstream out(golden_file());
     for (const TreeScene& entry : scene_tree()) {
-      out << hash_of(entry.scene, 0, Engine::reference) << ' ' << entry.name << '\n';
+      out << golden_hash(entry.scene, {.engine = Engine::reference}) << ' ' << entry.name << '\n';
     }
     GTEST_SKIP() << "wrote " << golden_file();
   }
@@ -89,7 +49,7 @@ TEST(Golden, EverySceneHasTheBitsThatItHad) {
     const auto golden = goldens.find(entry->name);
     ASSERT_NE(golden, goldens.end()) << entry->name << " has no hash in " << golden_file();
     for (const Engine engine : {Engine::reference, Engine::raster}) {
-      const std::string hash = hash_of(entry->scene, threads, engine);
+      const std::string hash = golden_hash(entry->scene, {.threads = threads, .engine = engine});
       if (hash != golden->second && ++changed <= 10) {
         ADD_FAILURE() << entry->name << (engine == Engine::raster ? " (raster): " : ": ") << hash << ", was " << golden->second;
       }
