@@ -36,7 +36,7 @@ struct SrgbTable {
   std::array<std::uint32_t, ((kLast - kFirst) >> 16) + 1> entries{};
 };
 
-/// Built from quantize8() and srgb_encode() at the first call.
+/// A constant: image/srgb_table.cpp.
 [[nodiscard]] const SrgbTable& srgb_table();
 
 /// quantize8(srgb_encode(linear)), the same for every float, about ten times as fast. Rows of lanes do the same with a gather, and ask this

@@ -14,6 +14,9 @@ namespace {
 
 constexpr std::size_t kStretch = 16384;  // triangles that one job cuts; clusters do not cross its ends
 
+// Triangles; the clusters of larger meshes are small on a picture in any order, and for a single one sorting costs more than it brings.
+constexpr std::size_t kTidyOnce = std::size_t{1} << 19U;
+
 Vec3f least(const Vec3f& a, const Vec3f& b) {
   return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
 }
@@ -171,7 +174,50 @@ void sort_along_curve(const Mesh& mesh, std::span<std::uint32_t> order) {
   std::transform(keys.begin(), keys.end(), order.begin(), [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
 }
 
-Clusters cut_all(const Mesh& mesh, std::vector<std::uint32_t> order, int threads) {
+// A coarser and much quicker sort_along_curve() of the triangles first .. first + order.size() - 1, a stretch of the file: places are cells of
+// their first corners, and one counting pass sorts them.
+void sort_roughly(const Mesh& mesh, std::uint32_t first, std::span<std::uint32_t> order) {
+  const std::span triangles = std::span(mesh.triangles).subspan(first, order.size());
+  const auto place_of = [&](const std::array<std::uint32_t, 3>& triangle) { return mesh.positions[triangle[0]]; };
+  Vec3f lower = place_of(triangles[0]);
+  Vec3f upper = lower;
+  for (const auto& triangle : triangles) {
+    const Vec3f p = place_of(triangle);
+    lower = least(lower, p);
+    upper = greatest(upper, p);
+  }
+  constexpr std::uint32_t kCells = 16;  // a side: few enough for one pass, and most cells of a surface's stretch hold less than a cluster
+  const float size = std::max({upper.x - lower.x, upper.y - lower.y, upper.z - lower.z});
+  const float scale = size > 0 ? static_cast<float>(kCells) / size : 0;
+  constexpr auto kLast = static_cast<float>(kCells - 1);
+  const auto cell = [scale, kLast](float p, float low) { return static_cast<std::uint32_t>(std::min(kLast, (p - low) * scale)); };  // NaN: kLast
+  std::array<std::uint16_t, kStretch> codes;
+  std::array<std::uint32_t, kCells * kCells * kCells + 1> begin{};
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const Vec3f p = place_of(triangles[i]);
+    codes[i] = static_cast<std::uint16_t>(spread(cell(p.x, lower.x)) | spread(cell(p.y, lower.y)) << 1 | spread(cell(p.z, lower.z)) << 2);
+    ++begin[codes[i] + std::size_t{1}];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    order[begin[codes[i]]++] = first + static_cast<std::uint32_t>(i);
+  }
+}
+
+// How a stretch of the file becomes a patch, even where the file goes row by row.
+enum class Tidying : std::uint8_t { none, rough, fine };
+
+void tidy(Tidying tidying, const Mesh& mesh, std::uint32_t first, std::span<std::uint32_t> order) {
+  if (tidying == Tidying::rough) {
+    sort_roughly(mesh, first, order);
+  } else if (tidying == Tidying::fine) {
+    std::iota(order.begin(), order.end(), first);
+    sort_along_curve(mesh, order);
+  }
+}
+
+// `order` names the triangles, is room for their tidied order, or is empty.
+Clusters cut_all(const Mesh& mesh, std::vector<std::uint32_t> order, Tidying tidying, int threads) {
   const std::size_t count = mesh.triangles.size();
   Clusters result;
   resize_big(result.corners, count + Clusters::kPadding);
@@ -179,8 +225,8 @@ Clusters cut_all(const Mesh& mesh, std::vector<std::uint32_t> order, int threads
   parallel_for(stretches.size(), threads, [&](std::size_t s) {
     const std::size_t first = s * kStretch;
     const std::size_t last = std::min(count, first + kStretch);
-    if (!order.empty()) {
-      sort_along_curve(mesh, std::span(order).subspan(first, last - first));  // a patch, even where a file goes row by row
+    if (tidying != Tidying::none) {
+      tidy(tidying, mesh, static_cast<std::uint32_t>(first), std::span(order).subspan(first, last - first));
     }
     stretches[s] = cut(mesh, order, first, last, result.corners);
   });
@@ -236,18 +282,19 @@ Clusters make_clusters(const Mesh& mesh, ClusterUse use, int threads) {
   if (mesh.triangles.empty()) {
     return {};
   }
-  const auto file_order = [&] {
-    std::vector<std::uint32_t> order;
+  const Tidying tidying = use == ClusterUse::often ? Tidying::fine : mesh.triangles.size() <= kTidyOnce ? Tidying::rough : Tidying::none;
+  std::vector<std::uint32_t> order;
+  if (tidying != Tidying::none) {
+    resize_big(order, mesh.triangles.size());
+  }
+  Clusters clusters = cut_all(mesh, std::move(order), tidying, threads);
+  if (is_scattered(clusters)) {
+    order = std::move(clusters.triangles);
+    clusters = {};
     resize_big(order, mesh.triangles.size());
     std::iota(order.begin(), order.end(), 0U);
-    return order;
-  };
-  Clusters clusters = cut_all(mesh, use == ClusterUse::often ? file_order() : std::vector<std::uint32_t>{}, threads);
-  if (is_scattered(clusters)) {
-    clusters = {};
-    std::vector<std::uint32_t> order = file_order();
     sort_along_curve(mesh, order);
-    clusters = cut_all(mesh, std::move(order), threads);
+    clusters = cut_all(mesh, std::move(order), Tidying::none, threads);
   }
   if (use == ClusterUse::often) {
     gather_positions(clusters, mesh, threads);

@@ -47,7 +47,7 @@ struct Clusters {
 enum class ClusterUse : std::uint8_t { once, often };
 
 /// Cuts the triangles along a space-filling curve (Morton 1966): within stretches of the file, where neighbours in the file are roughly
-/// neighbours in space, and in the file's own order for a single picture; else through the whole mesh.
+/// neighbours in space (in the own order of a large file for a single picture); else through the whole mesh.
 /// The result depends on the mesh alone, not on the number of threads.
 ///
 /// mesh  indices inside their arrays, positions finite
