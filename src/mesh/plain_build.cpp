@@ -176,11 +176,8 @@ BuiltMesh build_plain(PlainMesh mesh, const NormalOptions& options, int threads)
   } else {
     TriangleNormals made =
         make_triangle_normals({mesh.positions, mesh.triangles, mesh.triangles, mesh.positions.size()}, options.weights, threads);
-    if (made.has_flat && dropped.infinite + dropped.thin == 0) {  // flat ones count among the slivers, but those that are dropped do not
+    if (made.has_thin) {
       dropped = drop_unusable(mesh);
-      if (dropped.thin != 0) {
-        made = make_triangle_normals({mesh.positions, mesh.triangles, mesh.triangles, mesh.positions.size()}, options.weights, threads);
-      }
     }
     has_flat = made.has_flat;
     has_zero = made.has_zero;

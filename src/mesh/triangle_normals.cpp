@@ -97,6 +97,7 @@ class Summation {
   }
 
   [[nodiscard]] bool has_flat() const { return has_flat_; }
+  [[nodiscard]] bool has_thin() const { return has_thin_; }
 
  private:
   [[nodiscard]] bool is_inside(std::uint32_t group) const { return group - begin_ < size_; }
@@ -106,6 +107,17 @@ class Summation {
     if (filled_ == TriangleBatch::kSize) {
       flush(as_sliver);
     }
+  }
+
+  void set_aside(std::uint32_t t, bool is_flat) {
+    const Triangle& corners = corners_.triangles[t];
+    const auto meet = [&](std::size_t a, std::size_t b) { return corners_.positions[corners[a]] == corners_.positions[corners[b]]; };
+    if (is_flat && (meet(0, 1) || meet(1, 2) || meet(2, 0))) {
+      has_thin_ = true;
+      return;
+    }
+    has_flat_ |= is_flat;
+    slivers_.push_back(t);
   }
 
   void flush(bool as_slivers) {
@@ -123,8 +135,7 @@ class Summation {
     }
     for (std::size_t i = 0; i < filled_; ++i) {
       if (!as_slivers && b.is_sliver[i] != 0) {
-        slivers_.push_back(at_[i]);
-        has_flat_ |= b.area[i] == 0;
+        set_aside(at_[i], b.area[i] == 0);
         continue;
       }
       for (std::size_t k = 0; k < 3; ++k) {
@@ -156,6 +167,7 @@ class Summation {
   std::size_t filled_ = 0;
   std::vector<std::uint32_t> slivers_;
   bool has_flat_ = false;
+  bool has_thin_ = false;
 };
 
 }  // namespace
@@ -168,6 +180,7 @@ TriangleNormals make_triangle_normals(const TriangleCorners& corners, VertexNorm
   const std::size_t ranges = (corners.group_count + size - 1) / size;
   std::atomic<std::size_t> next = 0;
   std::atomic<bool> has_flat = false;
+  std::atomic<bool> has_thin = false;
   std::atomic<bool> has_zero = false;
   parallel_for(std::min(ranges, thread_count(threads)), threads, [&](std::size_t) {
     Summation summation(corners, blocks, weights, size);
@@ -189,11 +202,15 @@ TriangleNormals make_triangle_normals(const TriangleCorners& corners, VertexNorm
     if (summation.has_flat()) {
       has_flat = true;
     }
+    if (summation.has_thin()) {
+      has_thin = true;
+    }
     if (zero) {
       has_zero = true;
     }
   });
   made.has_flat = has_flat;
+  made.has_thin = has_thin;
   made.has_zero = has_zero;
   return made;
 }

@@ -24,9 +24,10 @@ struct TriangleNormals {
   std::vector<Vec3f> normals;  ///< one a group, unit; 0 where no corner is in the group or its triangles cancel
   bool has_zero = false;       ///< some are 0
   bool has_flat = false;       ///< some triangles have no area at all
+  bool has_thin = false;       ///< some have two corners at one place: they are no part of any normal, and not counted as flat
 };
 
-/// The normals that make_normals() gives, bit by bit, whatever the number of threads.
+/// The normals that make_normals() gives of the faces that validate() leaves, bit by bit, whatever the number of threads.
 ///
 /// Each thread sums up ranges of the groups and looks at all triangles that touch them, in their order; so nothing is shared, and
 /// no sum depends on how many threads there are. A triangle on the border of ranges is measured more than once.

@@ -16,12 +16,21 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
+/// Two corners at one place.
+bool is_thin(const TriangleCorners& corners, std::size_t t) {
+  const auto position = [&](std::size_t k) { return corners.positions[corners.triangles[t][k]]; };
+  return position(0) == position(1) || position(1) == position(2) || position(2) == position(0);
+}
+
 std::vector<Vec3f> by_definition(const TriangleCorners& corners, VertexNormals weights) {
   std::vector<Vec3d> sums(corners.group_count);
   std::vector<double> totals(corners.group_count, 0.0);
   for (const bool slivers : {false, true}) {
     for (std::size_t t = 0; t < corners.triangles.size(); ++t) {
       const auto position = [&](std::size_t k) { return corners.positions[corners.triangles[t][k]]; };
+      if (is_thin(corners, t)) {
+        continue;
+      }
       const PolygonPlane plane = plane_of(3, position);
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t group = corners.groups[t][k];
@@ -74,12 +83,21 @@ TEST(TriangleNormals, AreTheSumsByDefinitionForAnyNumberOfThreads) {
       const TriangleCorners corners{positions, triangles, groups, 2 * positions.size()};
       const auto weights = static_cast<VertexNormals>(round % 3);
       const std::vector<Vec3f> expected = by_definition(corners, weights);
+      bool has_thin = false;
+      bool has_flat = false;
+      for (std::size_t t = 0; t < count; ++t) {
+        const auto position = [&](std::size_t k) { return positions[triangles[t][k]]; };
+        has_thin = has_thin || is_thin(corners, t);
+        has_flat = has_flat || (!is_thin(corners, t) && plane_of(3, position).area == 0);
+      }
       for (const int threads : {1, 2, 3, 7}) {
         const TriangleNormals made = make_triangle_normals(corners, weights, threads);
         ASSERT_EQ(made.normals.size(), expected.size());
         for (std::size_t g = 0; g < expected.size(); ++g) {
           ASSERT_EQ(std::memcmp(&made.normals[g], &expected[g], sizeof(Vec3f)), 0) << g;
         }
+        EXPECT_EQ(made.has_thin, has_thin);
+        EXPECT_EQ(made.has_flat, has_flat);
         EXPECT_EQ(made.has_zero, std::find(expected.begin(), expected.end(), Vec3f{}) != expected.end());
       }
     }
