@@ -27,27 +27,21 @@ namespace lustro {
 
 /// quantize8(srgb_encode(x)) for every float x by one look-up. The bits of x, clamped to 2^-13..1, fall into buckets of 2^16 floats, each so
 /// narrow that the byte rises at most once in it: an entry holds the byte before the rise, and in its low half what carries into that byte from
-/// the rise on. Four buckets are uneven: around their rise the polynomial of srgb_encode() rounds to and fro within four floats, and the
-/// function itself decides.
+/// the rise on. Where the polynomial of srgb_encode() rounds to and fro around a rise (four rises, within four floats), the table rises once.
 struct SrgbTable {
-  static constexpr std::uint32_t kFirst = 0x39000000;   ///< the bits of 2^-13, which is still stored as 0
-  static constexpr std::uint32_t kLast = 0x3F800000;    ///< the bits of 1
-  static constexpr std::uint32_t kUneven = 0x80000000;  ///< marks an entry that does not decide
+  static constexpr std::uint32_t kFirst = 0x39000000;  ///< the bits of 2^-13, which is still stored as 0
+  static constexpr std::uint32_t kLast = 0x3F800000;   ///< the bits of 1
   std::array<std::uint32_t, ((kLast - kFirst) >> 16) + 1> entries{};
 };
 
 /// A constant: image/srgb_table.cpp.
 [[nodiscard]] const SrgbTable& srgb_table();
 
-/// quantize8(srgb_encode(linear)), the same for every float, about ten times as fast. Rows of lanes do the same with a gather, and ask this
-/// function again for the lanes whose entry is uneven.
+/// The byte that a linear value is stored as: never less for a larger value. Rows of lanes do the same.
 [[nodiscard]] inline std::uint8_t srgb_byte(const SrgbTable& table, float linear) {
   const float x = lane_min(lane_max(linear, std::bit_cast<float>(SrgbTable::kFirst)), 1.0F);  // NaN becomes the first bucket
   const auto bits = std::bit_cast<std::uint32_t>(x);
   const std::uint32_t entry = table.entries[(bits - SrgbTable::kFirst) >> 16];
-  if ((entry & SrgbTable::kUneven) != 0) {
-    return quantize8(srgb_encode(x));
-  }
   return static_cast<std::uint8_t>((entry + (bits & 0xFFFF)) >> 16);
 }
 

@@ -1,7 +1,5 @@
 // srgb_table() from the floats at which the stored byte rises. They stand here because finding them took half a millisecond of every process;
 // the tests compare the function around each.
-#include <algorithm>
-
 #include "image/srgb.hpp"
 
 namespace lustro {
@@ -35,9 +33,6 @@ constexpr std::array<std::uint32_t, 255> kRises{
     0x3F7C966E, 0x3F7EDC0C,
 };
 
-/// Bytes around whose rise the roundings of srgb_encode() go to and fro.
-constexpr std::array kUnevenBytes{183, 189, 220, 223};
-
 constexpr SrgbTable make_srgb_table() {
   SrgbTable table;
   std::size_t next = 0;  // the first bucket whose start is not yet known to lie behind the last rise
@@ -48,9 +43,6 @@ constexpr SrgbTable make_srgb_table() {
       table.entries[next] = static_cast<std::uint32_t>(byte - 1) << 16;
     }
     table.entries[bucket] += 0x10000 - (rise & 0xFFFF);
-    if (std::find(kUnevenBytes.begin(), kUnevenBytes.end(), byte) != kUnevenBytes.end()) {
-      table.entries[bucket] |= SrgbTable::kUneven;
-    }
   }
   for (; next < table.entries.size(); ++next) {
     table.entries[next] = std::uint32_t{255} << 16;

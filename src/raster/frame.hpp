@@ -112,6 +112,7 @@ struct TileScratch {
   /// What layers ask for beside it.
   enum Output : std::size_t { scene_part = 0, albedo = 3, normal = 6, position = 9, weights = 12, depth = 15, outputs = 16 };
 
+  TileArea area{};                    ///< of the tile at hand
   std::size_t stride = 0;             ///< floats a row
   std::size_t plane = 0;              ///< floats a sample's plane
   std::vector<float> depth_key;       ///< samples x tile_height x stride
@@ -120,8 +121,12 @@ struct TileScratch {
   std::size_t record_count = 0;
 
   // The vertices of the cluster at hand, on the image.
-  alignas(64) std::array<std::int32_t, Cluster::kMaxVertices + kPadding> x{}, y{};
-  alignas(64) std::array<float, Cluster::kMaxVertices + kPadding> key{};
+  struct ScreenVertex {
+    std::int32_t x = 0, y = 0;  ///< 1/256 pixel
+    float key = 0;
+    float unused = 0;  ///< so that 16 bytes are one vertex
+  };
+  alignas(64) std::array<ScreenVertex, Cluster::kMaxVertices + kPadding> vertices{};
 
   /// Fragments that wait for shading. They are sorted by material, so that lanes share one.
   struct Fragments {
@@ -138,6 +143,7 @@ struct TileScratch {
   std::vector<float> light_output;            ///< lights x 3 x (kFragments + kPadding), where layers of lights are stored
   std::vector<std::uint32_t> material_begin;  ///< for sorting
   std::vector<Vec3f> light_parts;
+  std::vector<Reflection<float>> reflections;  ///< of every light by the material at hand
 
   std::vector<std::uint32_t> sorted_clusters;  ///< the tile's, the nearest first
   static constexpr int kBlockWidth = 16;       ///< pixels

@@ -275,7 +275,7 @@ inline HWY_NOINLINE void project_vertices(const Frame& frame, TileScratch& s, co
   const View& view = frame.scene->view;
   const Clusters& clusters = instance.drawable->clusters;
   const std::uint32_t* vertices = clusters.vertices.data() + cluster.first_vertex;
-  const Vec3f* positions = instance.mesh->positions.data();
+  const std::vector<Vec3f>& positions = instance.mesh->positions;
   const bool is_packed = !clusters.positions[0].empty();
   const float* xs = is_packed ? clusters.positions[0].data() + cluster.first_vertex : nullptr;
   const float* ys = is_packed ? clusters.positions[1].data() + cluster.first_vertex : nullptr;
@@ -288,9 +288,8 @@ inline HWY_NOINLINE void project_vertices(const Frame& frame, TileScratch& s, co
     const Float inverse = Float(1) / p.z;
     const Float scale = is_perspective ? inverse : Float(1);
     const auto snap = [](Float pixels) { return truncate(floor_of(pixels * Float(kSubpixelUnits) + Float(0.5F))); };
-    store(&s.x[i], snap(p.x * scale + Float(view.center_x)));
-    store(&s.y[i], snap(p.y * scale + Float(view.center_y)));
-    store(&s.key[i], is_perspective ? inverse : (Float(view.depth_far) - p.z) / depth_range);
+    store_quads(snap(p.x * scale + Float(view.center_x)), snap(p.y * scale + Float(view.center_y)),
+                bits_of(is_perspective ? inverse : (Float(view.depth_far) - p.z) / depth_range), Int(0), &s.vertices[i].x);
   }
 }
 
@@ -300,6 +299,12 @@ struct TriangleLanes {
   alignas(64) std::array<std::array<float, kLanes>, 3> key;
   alignas(64) std::array<float, kLanes> inverse_area;
   alignas(64) std::array<std::int32_t, kLanes> left, top, right, bottom, flags;
+};
+
+/// One corner of kLanes triangles.
+struct Corners {
+  Int x, y;
+  Float key;
 };
 
 /// Where kLanes triangles come from.
@@ -437,9 +442,9 @@ inline HWY_NOINLINE void fill_one(const Canvas& c, const TriangleLanes& lanes, c
   if (!is_small) {  // its area does not fit 32 bits: once more, from the vertices
     for (std::size_t k = 1; k < 3; ++k) {
       const auto vertex = static_cast<std::size_t>(lanes.local[k][i]);
-      t.x[k] = s.x[vertex];
-      t.y[k] = s.y[vertex];
-      t.key[k] = s.key[vertex];
+      t.x[k] = s.vertices[vertex].x;
+      t.y[k] = s.vertices[vertex].y;
+      t.key[k] = s.vertices[vertex].key;
     }
     if (!orient(t, source.instance.is_mirrored)) {
       return;
@@ -463,12 +468,15 @@ inline HWY_NOINLINE void fill_triangles(const Canvas& c, const Instance& instanc
   TriangleLanes lanes;
 
   for (std::size_t begin = 0; begin < cluster.triangles; begin += kLanes) {
-    const Int packed = load(corners + begin);
-    const Int i0 = packed & Int(0xFF);
-    const Int i1 = (packed >> 8) & Int(0xFF);
-    const Int i2 = (packed >> 16) & Int(0xFF);
-    const Int x0 = gather(s.x.data(), i0), x1 = gather(s.x.data(), i1), x2 = gather(s.x.data(), i2);
-    const Int y0 = gather(s.y.data(), i0), y1 = gather(s.y.data(), i1), y2 = gather(s.y.data(), i2);
+    const auto corner = [&](int k) {
+      const std::uint32_t* packed = corners + begin;
+      hn::Vec<IntTag> words[4];
+      load_quads([&](std::size_t i) { return &s.vertices[(packed[i] >> (8 * k)) & 0xFF].x; }, words);
+      return Corners{words[0], words[1], from_bits(words[2])};
+    };
+    const auto [x0, y0, key0] = corner(0);
+    const auto [x1, y1, stated_key1] = corner(1);
+    const auto [x2, y2, stated_key2] = corner(2);
     const Int lowest_x = lane_min(lane_min(x0, x1), x2), highest_x = lane_max(lane_max(x0, x1), x2);
     const Int lowest_y = lane_min(lane_min(y0, y1), y2), highest_y = lane_max(lane_max(y0, y1), y2);
     const Int left = lane_max((lowest_x + to_first_x) >> 8, Int(c.area.left));
@@ -483,14 +491,13 @@ inline HWY_NOINLINE void fill_triangles(const Canvas& c, const Instance& instanc
     const Int area2 = (x1 - x0) * (y2 - y0) - (y1 - y0) * (x2 - x0);  // of the small ones
     stays = stays & !(is_small & (area2 == Int(0)));
     const Mask is_swapped = area2 < Int(0);
-    const Float stated_key1 = gather(s.key.data(), i1), stated_key2 = gather(s.key.data(), i2);
     const TinyTriangles tiny{x0,
                              y0,
                              select(is_swapped, x2, x1),
                              select(is_swapped, y2, y1),
                              select(is_swapped, x1, x2),
                              select(is_swapped, y1, y2),
-                             gather(s.key.data(), i0),
+                             key0,
                              select(is_swapped, stated_key2, stated_key1),
                              select(is_swapped, stated_key1, stated_key2),
                              Float(1) / to_float(select(is_swapped, Int(0) - area2, area2)),
@@ -508,9 +515,10 @@ inline HWY_NOINLINE void fill_triangles(const Canvas& c, const Instance& instanc
     store(lanes.key[1].data(), tiny.key1);
     store(lanes.key[2].data(), tiny.key2);
     store(lanes.inverse_area.data(), tiny.inverse_area);
-    store(lanes.local[0].data(), i0);
-    store(lanes.local[1].data(), i1);
-    store(lanes.local[2].data(), i2);
+    const Int packed = load(corners + begin);
+    store(lanes.local[0].data(), packed & Int(0xFF));
+    store(lanes.local[1].data(), (packed >> 8) & Int(0xFF));
+    store(lanes.local[2].data(), (packed >> 16) & Int(0xFF));
     const Int swapped_flag = select(is_swapped, Int(Record::kSwapped), Int(0));
     // Counter-clockwise with y up is a negative area with y down.
     const Int back_flag = select(is_swapped, Int(instance.is_mirrored ? Record::kBack : 0), Int(instance.is_mirrored ? 0 : Record::kBack));

@@ -19,7 +19,6 @@ struct WaitingPixel {
 struct Shader {
   const Frame& frame;
   TileScratch& s;
-  TileArea area;
   std::size_t pixels = 0;
   std::array<WaitingPixel, TileScratch::kFragments> waiting;
 };
@@ -68,7 +67,7 @@ inline HWY_NOINLINE void collect_parts(Shader& shader, int x, int y, std::size_t
     s.part_samples[s.parts.count] = static_cast<std::uint8_t>(count);
     ++s.parts.count;
   }
-  shader.waiting[shader.pixels++] = {static_cast<std::uint16_t>(x - shader.area.left), static_cast<std::uint16_t>(y - shader.area.top),
+  shader.waiting[shader.pixels++] = {static_cast<std::uint16_t>(x - shader.s.area.left), static_cast<std::uint16_t>(y - shader.s.area.top),
                                      static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(s.parts.count - first)};
 }
 
@@ -125,9 +124,7 @@ HWY_INLINE void shade_runs(const Frame& frame, TileScratch& s, TileScratch::Frag
       ++end;
     }
     const Instance& instance = frame.scene->instances[frame.material_instance[material]];
-    for (; i < end; i += kLanes) {
-      shade(instance, frame.scene->materials[material], i, end - i < kLanes ? end - i : kLanes);
-    }
+    shade(instance, frame.scene->materials[material], i, end - i);
     i = end;
   }
 }
@@ -202,8 +199,8 @@ inline void resolve(const Shader& shader, const WaitingPixel& waiting) {
   const float uncovered = (samples - static_cast<float>(covered)) / samples;
   pixel.background = Vec3f{background[0], background[1], background[2]} * uncovered;
   pixel.alpha = pixel.coverage + background[3] * uncovered;
-  const int x = shader.area.left + waiting.x;
-  const int y = shader.area.top + waiting.y;
+  const int x = shader.s.area.left + waiting.x;
+  const int y = shader.s.area.top + waiting.y;
   store_color(frame, x, y, (pixel.terms.sum() + pixel.fog) + pixel.background, pixel.alpha);
   if (frame.wants_all) {
     frame.store_layers(frame, pixel, s.light_parts, x, y);
@@ -215,7 +212,9 @@ inline HWY_NOINLINE void flush_parts(Shader& shader) {
   TileScratch& s = shader.s;
   shade_runs(shader.frame, s, s.parts, s.part_place.data(),
              [&](const Instance& instance, const ShadingMaterial& material, std::size_t begin, std::size_t count) {
-               shade_parts(shader.frame, s, instance, material, begin, count);
+               for (std::size_t i = 0; i < count; i += kLanes) {
+                 shade_parts(shader.frame, s, instance, material, begin + i, count - i < kLanes ? count - i : kLanes);
+               }
              });
   for (std::size_t i = 0; i < shader.pixels; ++i) {
     resolve(shader, shader.waiting[i]);
@@ -286,8 +285,9 @@ HWY_INLINE void collect(Shader& shader, int x, int y, std::size_t at, std::size_
 }
 
 inline void shade_tile(const Frame& frame, std::size_t tile, TileScratch& s) {
-  Shader shader{frame, s, frame.area(tile), 0, {}};
-  const TileArea& area = shader.area;
+  s.area = frame.area(tile);
+  Shader shader{frame, s, 0, {}};
+  const TileArea& area = s.area;
   const bool is_empty = frame.cluster_lists.of(tile).empty() && frame.loose_lists.of(tile).empty();
   for (int y = area.top; y < area.bottom; ++y) {
     const std::size_t row = static_cast<std::size_t>(y - area.top) * s.stride;

@@ -21,20 +21,23 @@ struct Faces {
   const Instance& instance;
   const ShadingMaterial& material;
   std::array<Int, 3> vertices;
-  Float side;  // -1 where the back is seen and lit with its normals turned round
+  const Record* only;  // where all lanes show one triangle
+  Float side;          // -1 where the back is seen and lit with its normals turned round
 
-  [[nodiscard]] Vec3<Float> position(std::size_t i) const {
-    return instance.relative_from_object(gather(instance.mesh->positions.data(), vertices[i]));
+  [[nodiscard]] HWY_INLINE Vec3<Float> at_vertex(const std::vector<Vec3f>& list, std::size_t i) const {
+    return only != nullptr ? vec_cast<Float>(list[only->vertex[i]]) : gather(list, vertices[i]);
   }
-  [[nodiscard]] Vec3<Float> stated_normal(std::size_t i) const { return gather(instance.mesh->normals.data(), vertices[i]); }
+  [[nodiscard]] Vec3<Float> stated_position(std::size_t i) const { return at_vertex(instance.mesh->positions, i); }
+  [[nodiscard]] Vec3<Float> position(std::size_t i) const { return instance.relative_from_object(stated_position(i)); }
+  [[nodiscard]] Vec3<Float> stated_normal(std::size_t i) const { return at_vertex(instance.mesh->normals, i); }
   [[nodiscard]] Vec3<Float> normal(std::size_t i) const {
     const Vec3<Float> n = instance.normal_from_object(stated_normal(i));
     return (instance.is_similarity ? n : normalize(n)) * side;
   }
   [[nodiscard]] Vec3<Float> object_normal() const {
-    const Vec3<Float> a = gather(instance.mesh->positions.data(), vertices[0]);
-    const Vec3<Float> ab = gather(instance.mesh->positions.data(), vertices[1]) - a;
-    const Vec3<Float> ac = gather(instance.mesh->positions.data(), vertices[2]) - a;
+    const Vec3<Float> a = stated_position(0);
+    const Vec3<Float> ab = stated_position(1) - a;
+    const Vec3<Float> ac = stated_position(2) - a;
     Float size = lane_abs(ab.x);
     for (const Float& part : {ab.y, ab.z, ac.x, ac.y, ac.z}) {
       size = lane_max(lane_abs(part), size);
@@ -62,7 +65,7 @@ struct Faces {
     if (colors.empty()) {
       return {Float(1), Float(1), Float(1)};
     }
-    return weighted_sum<Float>({gather(colors.data(), vertices[0]), gather(colors.data(), vertices[1]), gather(colors.data(), vertices[2])}, w);
+    return weighted_sum<Float>({at_vertex(colors, 0), at_vertex(colors, 1), at_vertex(colors, 2)}, w);
   }
 };
 
@@ -160,18 +163,18 @@ struct Shaded {
 
 /// visit(i, part) sees every light's part.
 template <class Visit>
-HWY_INLINE Shaded evaluate(const Faces& faces, const Surface<Float>& surface, const Vec3<Float>& tint, Visit&& visit) {
-  const Coefficients<float>& stated = faces.material.coefficients;
+HWY_INLINE Shaded evaluate(const PreparedScene& scene, const ShadingMaterial& material, const Surface<Float>& surface, const Vec3<Float>& tint,
+                           Visit&& visit) {
+  const Coefficients<float>& stated = material.coefficients;
   Coefficients<Float> k{vec_cast<Float>(stated.ambient), vec_cast<Float>(stated.diffuse), vec_cast<Float>(stated.specular),
-                        vec_cast<Float>(stated.emission), Float(stated.shininess)};
+                        vec_cast<Float>(stated.emission), stated.shininess};
   k.ambient = k.ambient * tint;
   k.diffuse = k.diffuse * tint;
   Shaded result;
-  const PreparedScene& scene = faces.scene;
   result.terms = light_surface(
-      faces.material.lighting, surface, k, scene.ambient, scene.lights, scene.shading.normalized,
+      material.lighting, surface, k, scene.ambient, scene.lights, scene.shading.normalized,
       [&](std::size_t i, const Incident<Float>&, const LightTerms<Float>& part) { visit(i, (part.ambient + part.diffuse) + part.specular); });
-  result.scene_part = faces.material.lighting != Lighting::constant ? k.ambient * vec_cast<Float>(scene.ambient) + k.emission : k.diffuse;
+  result.scene_part = material.lighting != Lighting::constant ? k.ambient * vec_cast<Float>(scene.ambient) + k.emission : k.diffuse;
   return result;
 }
 
@@ -211,7 +214,7 @@ inline Shaded shade_flat(const Faces& faces, bool wants_lights, const OutputSlot
   const Vec3<Float> center = ((faces.position(0) + faces.position(1)) + faces.position(2)) * Float(1.0F / 3.0F);
   const Surface<Float> surface{center, faces.face_normal(), faces.scene.view.to_eye_from(center)};
   const Float third(1.0F / 3.0F);
-  return evaluate(faces, surface, faces.tint({third, third, third}), [&](std::size_t i, const Vec3<Float>& part) {
+  return evaluate(faces.scene, faces.material, surface, faces.tint({third, third, third}), [&](std::size_t i, const Vec3<Float>& part) {
     if (wants_lights) {
       out.put_light(i, part);
     }
@@ -225,7 +228,7 @@ inline Shaded shade_gouraud(const Faces& faces, const Weights<Float>& w, bool wa
     const Surface<Float> surface{position, faces.normal(i), faces.scene.view.to_eye_from(position)};
     const Weights<Float> corner{Float(i == 0 ? 1.0F : 0.0F), Float(i == 1 ? 1.0F : 0.0F), Float(i == 2 ? 1.0F : 0.0F)};
     const Vec3<Float> tint = faces.tint(corner);
-    Shaded vertex = evaluate(faces, surface, tint, [](std::size_t, const Vec3<Float>&) {});
+    Shaded vertex = evaluate(faces.scene, faces.material, surface, tint, [](std::size_t, const Vec3<Float>&) {});
     const Vec3<Float> total = vertex.terms.sum();
     const auto scale = [](Float c) { return select(c > Float(1), Float(1) / c, Float(1)); };
     const Vec3<Float> by{scale(total.x), scale(total.y), scale(total.z)};
@@ -238,7 +241,7 @@ inline Shaded shade_gouraud(const Faces& faces, const Weights<Float>& w, bool wa
     add(sum.terms.emission, vertex.terms.emission);
     add(sum.scene_part, vertex.scene_part);
     if (wants_lights) {  // once more, now that the clamp is known
-      evaluate(faces, surface, tint, [&](std::size_t l, const Vec3<Float>& part) {
+      evaluate(faces.scene, faces.material, surface, tint, [&](std::size_t l, const Vec3<Float>& part) {
         Vec3<Float> value = i == 0 ? Vec3<Float>{} : out.get_light(l);
         add(value, part * by);
         out.put_light(l, value);
@@ -264,8 +267,15 @@ HWY_INLINE Batch make_batch(const Frame& frame, const TileScratch& s, const Tile
   Int py = load(&fragments.y[begin]);
   Words words;
   const auto* records = reinterpret_cast<const std::uint32_t*>(s.records.data());
+  const Record* only = nullptr;
   if (HWY_LIKELY(count >= kLanes)) {
-    transpose(records, &fragments.record[begin], words);
+    const std::uint32_t first = fragments.record[begin];
+    if (all_of(load(&fragments.record[begin]) == Int(static_cast<std::int32_t>(first)))) {
+      only = &s.records[first];
+      repeat(records + std::size_t{16} * first, words);
+    } else {
+      transpose(records, &fragments.record[begin], words);
+    }
   } else {
     const Mask is_used = first_lanes(count);
     px = select(is_used, px, Int(fragments.x[begin]));
@@ -276,11 +286,9 @@ HWY_INLINE Batch make_batch(const Frame& frame, const TileScratch& s, const Tile
   }
   const FragmentPlaces at = locate(frame, words, px, py);
   const Mask is_back = (words[word_flags] & Int(Record::kBack)) > Int(0);
-  const Faces faces{scene,
-                    instance,
-                    material,
-                    {words[word_vertex], words[word_vertex + 1], words[word_vertex + 2]},
-                    scene.shading.two_sided ? select(is_back, Float(-1), Float(1)) : Float(1)};
+  const Faces faces{scene,    instance,
+                    material, {words[word_vertex], words[word_vertex + 1], words[word_vertex + 2]},
+                    only,     scene.shading.two_sided ? select(is_back, Float(-1), Float(1)) : Float(1)};
   Vec3<Float> normal{};
   if (scene.shading.interpolation == Interpolation::phong || frame.wants_all) {
     normal = scene.shading.interpolation == Interpolation::flat ? faces.face_normal() : faces.normal_at(scene.shading.normals, at.weights);
@@ -291,15 +299,15 @@ HWY_INLINE Batch make_batch(const Frame& frame, const TileScratch& s, const Tile
 /// visit(i, part) sees every light's part where layers of lights are stored.
 template <class Visit>
 HWY_INLINE Shaded shade_phong(const Batch& batch, Visit&& visit) {
-  return evaluate(batch.faces, {batch.position, batch.normal, batch.faces.scene.view.to_eye_at(batch.at.x, batch.at.y)},
-                  batch.faces.tint(batch.at.weights), visit);
+  const Faces& faces = batch.faces;
+  return evaluate(faces.scene, faces.material, {batch.position, batch.normal, faces.scene.view.to_eye_at(batch.at.x, batch.at.y)},
+                  faces.tint(batch.at.weights), visit);
 }
 
 /// Dims the terms by the fog, and says what it adds.
-HWY_INLINE Vec3<Float> add_fog(const ShadingFog& fog, const Vec3<Float>& position, Shaded& shaded, Float& clear) {
+HWY_INLINE Vec3<Float> add_fog(const ShadingFog& fog, const Vec3<Float>& position, Terms<Float>& terms, Float& clear) {
   clear = fog_factor(fog, length(position));
-  scale_terms(shaded.terms, Vec3<Float>{clear, clear, clear});
-  shaded.scene_part = shaded.scene_part * clear;
+  scale_terms(terms, Vec3<Float>{clear, clear, clear});
   return vec_cast<Float>(fog.color) * (Float(1) - clear);
 }
 
@@ -331,7 +339,8 @@ inline HWY_NOINLINE void shade_parts(const Frame& frame, TileScratch& s, const I
   Vec3<Float> fog{};
   if (scene.fog) {
     Float clear;
-    fog = add_fog(*scene.fog, batch.position, shaded, clear);
+    fog = add_fog(*scene.fog, batch.position, shaded.terms, clear);
+    shaded.scene_part = shaded.scene_part * clear;
     for (std::size_t i = 0; frame.wants_lights && i < scene.lights.size(); ++i) {
       out.put_light(i, out.get_light(i) * clear);
     }
@@ -350,78 +359,153 @@ inline HWY_NOINLINE void shade_parts(const Frame& frame, TileScratch& s, const I
   }
 }
 
-/// image/store.cpp for lanes: the byte of a colour on an opaque pixel. Lanes whose table entry does not decide (SrgbTable) join `is_uneven`.
-HWY_INLINE Int stored_byte(const Frame& frame, Float color, Mask& is_uneven) {
+/// image/store.cpp for lanes: the bytes of opaque pixels, alpha the highest. The table is read lane by lane: gathers cost more.
+HWY_INLINE void store_words(const Frame& frame, const Vec3<Float>& rgb, std::uint32_t* words) {
+  const Int opaque(static_cast<std::int32_t>(0xFF000000U));
   if (frame.srgb == nullptr) {
-    return truncate(clamp01(color) * Float(255) + Float(0.5F));
+    const auto quantize = [](Float color) { return truncate(clamp01(color) * Float(255) + Float(0.5F)); };
+    store(words, (quantize(rgb.x) | quantize(rgb.y) << 8) | (quantize(rgb.z) << 16 | opaque));
+    return;
   }
-  const Float x = lane_min(lane_max(color, Float(std::bit_cast<float>(SrgbTable::kFirst))), Float(1));
-  const Int bits = bits_of(x);
-  const Int entry = gather(frame.srgb->entries.data(), (bits - Int(static_cast<std::int32_t>(SrgbTable::kFirst))) >> 16);
-  is_uneven = is_uneven | (entry < Int(0));
-  return (entry + (bits & Int(0xFFFF))) >> 16;
+  const auto byte_of = [entries = frame.srgb->entries.data()](Float color) {
+    const Float x = lane_min(lane_max(color, Float(std::bit_cast<float>(SrgbTable::kFirst))), Float(1));
+    const Int place = bits_of(x) - Int(static_cast<std::int32_t>(SrgbTable::kFirst));
+    return (gather(entries, place >> 16) + (place & Int(0xFFFF))) >> 16;
+  };
+  store(words, (byte_of(rgb.x) | byte_of(rgb.y) << 8) | (byte_of(rgb.z) << 16 | opaque));
 }
 
-/// Fragments that are all of their pixels: lit, summed and stored.
-inline HWY_NOINLINE void shade_whole(const Frame& frame, TileScratch& s, const Instance& instance, const ShadingMaterial& material,
-                                     std::size_t begin, std::size_t count) {
-  const PreparedScene& scene = *frame.scene;
-  const Batch batch = make_batch(frame, s, s.whole, instance, material, begin, count);
-  const OutputSlot no_output{s, 0};
-  Shaded shaded;
-  switch (scene.shading.interpolation) {
-    case Interpolation::flat:
-      shaded = shade_flat(batch.faces, false, no_output);
-      break;
-    case Interpolation::gouraud:
-      shaded = shade_gouraud(batch.faces, batch.at.weights, false, no_output);
-      break;
-    case Interpolation::phong:
-      shaded = shade_phong(batch, [](std::size_t, const Vec3<Float>&) {});
-      break;
+/// Fragments on their way through shading, a stage at a time. Each stage is a short loop, so that the processor works at several of its vectors
+/// at once, and the compiler keeps what all of them need in registers.
+struct Strip {
+  static constexpr std::size_t kRoom = 128;
+  using Rows = std::array<std::array<float, kRoom>, 3>;
+  alignas(64) Rows position, normal, to_eye, tint, color;
+
+  HWY_INLINE static void put(Rows& rows, std::size_t i, const Vec3<Float>& value) {
+    store(&rows[0][i], value.x);
+    store(&rows[1][i], value.y);
+    store(&rows[2][i], value.z);
   }
+  HWY_INLINE static Vec3<Float> get(const Rows& rows, std::size_t i) { return {load(&rows[0][i]), load(&rows[1][i]), load(&rows[2][i])}; }
+};
+
+/// As a pixel sums its parts: from 0 on, each weighted by 1; and 0 of the background.
+HWY_INLINE Vec3<Float> sum_whole(const PreparedScene& scene, const Vec3<Float>& position, Terms<Float>& t) {
   Vec3<Float> fog{};
   if (scene.fog) {
     Float clear;
-    fog = add_fog(*scene.fog, batch.position, shaded, clear);
+    fog = add_fog(*scene.fog, position, t, clear);
   }
-  // As a pixel sums its parts: from 0 on, each weighted by 1; and 0 of the background.
   const Vec3<Float> zero{};
-  const Terms<Float>& t = shaded.terms;
   const Terms<Float> sums{zero + t.ambient, zero + t.diffuse, zero + t.specular, zero + t.emission};
   const std::array<float, 4>& back = scene.background;
-  const Vec3<Float> rgb = (sums.sum() + (zero + fog)) + Vec3<Float>{Float(back[0] * 0.0F), Float(back[1] * 0.0F), Float(back[2] * 0.0F)};
-  const auto width = static_cast<std::size_t>(scene.view.width);
-  const auto pixel = [&](std::size_t lane) {
-    return static_cast<std::size_t>(s.whole.y[begin + lane] >> 8) * width + static_cast<std::size_t>(s.whole.x[begin + lane] >> 8);
-  };
-  alignas(64) std::array<std::array<float, kLanes>, 3> channels;
-  store(channels[0].data(), rgb.x);
-  store(channels[1].data(), rgb.y);
-  store(channels[2].data(), rgb.z);
-  const auto color_at = [&](std::size_t i) {
-    return std::array<float, 4>{channels[0][i], channels[1][i], channels[2][i], 1.0F + back[3] * 0.0F};
-  };
-  if (frame.bytes != nullptr) {
-    Mask is_uneven = first_lanes(0);
-    const Int red = stored_byte(frame, rgb.x, is_uneven);
-    const Int green = stored_byte(frame, rgb.y, is_uneven);
-    const Int blue = stored_byte(frame, rgb.z, is_uneven);
-    alignas(64) std::array<std::array<std::uint8_t, 4>, kLanes> packed;
-    store(reinterpret_cast<std::uint32_t*>(packed.data()), (red | green << 8) | (blue << 16 | Int(static_cast<std::int32_t>(0xFF000000U))));
-    for (std::uint32_t left = mask_bits(is_uneven); left != 0; left &= left - 1) {
-      const auto i = static_cast<std::size_t>(__builtin_ctz(left));
-      frame.store_pixel8(color_at(i), scene.transfer, packed[i]);
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      std::memcpy(frame.bytes + 4 * pixel(i), packed[i].data(), 4);
+  return (sums.sum() + (zero + fog)) + Vec3<Float>{Float(back[0] * 0.0F), Float(back[1] * 0.0F), Float(back[2] * 0.0F)};
+}
+
+/// Fragments and where they begin and end in TileScratch::whole.
+struct WholeRun {
+  const Frame& frame;
+  TileScratch& s;
+  const Instance& instance;
+  const ShadingMaterial& material;
+  std::size_t begin, count;
+
+  [[nodiscard]] HWY_INLINE Batch batch(std::size_t i) const {
+    return make_batch(frame, s, s.whole, instance, material, begin + i, count - i < kLanes ? count - i : kLanes);
+  }
+};
+
+/// What the equation asks for at each point, for Phong interpolation.
+inline HWY_NOINLINE void make_surfaces(const WholeRun& run, Strip& strip) {
+  const bool has_tint = !run.instance.drawable->colors.empty();
+  for (std::size_t i = 0; i < run.count; i += kLanes) {
+    const Batch batch = run.batch(i);
+    Strip::put(strip.position, i, batch.position);
+    Strip::put(strip.normal, i, batch.normal);
+    Strip::put(strip.to_eye, i, run.frame.scene->view.to_eye_at(batch.at.x, batch.at.y));
+    if (has_tint) {
+      Strip::put(strip.tint, i, batch.faces.tint(batch.at.weights));
     }
   }
-  if (frame.color != nullptr) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::array<float, 4> color = color_at(i);
-      std::memcpy(frame.color + 4 * pixel(i), color.data(), sizeof color);
+}
+
+inline HWY_NOINLINE void light_surfaces(const WholeRun& run, Strip& strip) {
+  const PreparedScene& scene = *run.frame.scene;
+  const ShadingMaterial& material = run.material;
+  const bool has_tint = !run.instance.drawable->colors.empty();
+  Reflection<float>* reflections = run.s.reflections.data();  // without a tint they are the same everywhere
+  for (std::size_t l = 0; l < scene.lights.size(); ++l) {
+    reflections[l] = reflection_of(material.coefficients, scene.lights[l]);
+  }
+  for (std::size_t i = 0; i < run.count; i += kLanes) {
+    const Surface<Float> surface{Strip::get(strip.position, i), Strip::get(strip.normal, i), Strip::get(strip.to_eye, i)};
+    Terms<Float> terms;
+    if (has_tint) {
+      terms = evaluate(scene, material, surface, Strip::get(strip.tint, i), [](std::size_t, const Vec3<Float>&) {}).terms;
+    } else {
+      terms = light_surface(
+          material.lighting, surface, material.coefficients, scene.ambient, scene.lights, scene.shading.normalized,
+          [reflections](std::size_t l) -> const Reflection<float>& { return reflections[l]; },
+          [](std::size_t, const Incident<Float>&, const LightTerms<Float>&) {});
     }
+    Strip::put(strip.color, i, sum_whole(scene, surface.position, terms));
+  }
+}
+
+/// Flat and Gouraud interpolation light faces and their vertices.
+inline HWY_NOINLINE void light_faces(const WholeRun& run, Strip& strip) {
+  const PreparedScene& scene = *run.frame.scene;
+  for (std::size_t i = 0; i < run.count; i += kLanes) {
+    const Batch batch = run.batch(i);
+    const OutputSlot no_output{run.s, 0};
+    Shaded shaded = scene.shading.interpolation == Interpolation::flat ? shade_flat(batch.faces, false, no_output)
+                                                                       : shade_gouraud(batch.faces, batch.at.weights, false, no_output);
+    Strip::put(strip.color, i, sum_whole(scene, batch.position, shaded.terms));
+  }
+}
+
+inline HWY_NOINLINE void store_pixels(const WholeRun& run, const Strip& strip) {
+  const Frame& frame = run.frame;
+  const TileScratch& s = run.s;
+  const TileArea& area = s.area;
+  const auto width = static_cast<std::size_t>(frame.scene->view.width);
+  const std::size_t first = static_cast<std::size_t>(area.top) * width + static_cast<std::size_t>(area.left);
+  const float alpha = 1.0F + frame.scene->background[3] * 0.0F;
+  for (std::size_t i = 0; i < run.count; i += kLanes) {
+    const Int column = (load(&s.whole.x[run.begin + i]) >> 8) - Int(area.left);
+    const Int row = (load(&s.whole.y[run.begin + i]) >> 8) - Int(area.top);
+    alignas(64) std::array<std::uint32_t, kLanes> places, words;  // from the tile's first pixel on
+    store(places.data(), row * Int(frame.scene->view.width) + column);
+    const std::size_t count = run.count - i < kLanes ? run.count - i : kLanes;
+    if (frame.bytes != nullptr) {
+      store_words(frame, Strip::get(strip.color, i), words.data());
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        std::memcpy(frame.bytes + 4 * (first + places[lane]), &words[lane], 4);
+      }
+    }
+    if (frame.color != nullptr) {
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        const std::array<float, 4> color{strip.color[0][i + lane], strip.color[1][i + lane], strip.color[2][i + lane], alpha};
+        std::memcpy(frame.color + 4 * (first + places[lane]), color.data(), sizeof color);
+      }
+    }
+  }
+}
+
+/// Fragments that are all of their pixels: lit, summed and stored.
+inline void shade_whole(const Frame& frame, TileScratch& s, const Instance& instance, const ShadingMaterial& material, std::size_t begin,
+                        std::size_t count) {
+  Strip strip;
+  for (std::size_t i = 0; i < count; i += Strip::kRoom) {
+    const WholeRun run{frame, s, instance, material, begin + i, count - i < Strip::kRoom ? count - i : Strip::kRoom};
+    if (frame.scene->shading.interpolation == Interpolation::phong) {
+      make_surfaces(run, strip);
+      light_surfaces(run, strip);
+    } else {
+      light_faces(run, strip);
+    }
+    store_pixels(run, strip);
   }
 }
 

@@ -17,6 +17,7 @@ void TileScratch::fit(const Frame& frame) {
   blocks_x = static_cast<std::size_t>((frame.tile_width + kBlockWidth - 1) / kBlockWidth);
   const auto blocks_y = static_cast<std::size_t>((frame.tile_height + kBlockHeight - 1) / kBlockHeight);
   block_farthest.resize(std::max(block_farthest.size(), blocks_x * blocks_y));
+  reflections.resize(frame.scene->lights.size());
   if (frame.wants_lights) {
     light_output.resize(std::max(light_output.size(), frame.scene->lights.size() * 3 * (kFragments + kPadding)));
     light_parts.resize(frame.scene->lights.size());

@@ -60,7 +60,8 @@ Vec3<F> slerp_normal(const std::array<Vec3<F>, 3>& normals, const Weights<F>& w,
 }
 
 template <class F>
-Vec3<F> interpolate_normal(NormalInterpolation mode, const std::array<Vec3<F>, 3>& normals, const Weights<F>& w, const Vec3<F>& fallback) {
+LUSTRO_INLINE Vec3<F> interpolate_normal(NormalInterpolation mode, const std::array<Vec3<F>, 3>& normals, const Weights<F>& w,
+                                         const Vec3<F>& fallback) {
   return mode == NormalInterpolation::lerp ? lerp_normal(normals, w, fallback) : slerp_normal(normals, w, fallback);
 }
 

@@ -110,6 +110,9 @@ float power(float x, float n) {
 float attenuate(ShadingLight light, float d) {
   float attenuation;
   if (light.falloff == 0.0) {
+    if (light.attenuation == vec3(1.0, 0.0, 0.0)) {
+      return 1.0;
+    }
     vec3 c = light.attenuation;
     attenuation = 1.0 / (c.x + (c.y + c.z * d) * d);
   } else {

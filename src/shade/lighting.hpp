@@ -33,7 +33,7 @@ struct Surface {
 template <class F>
 struct Coefficients {
   Vec3<F> ambient, diffuse, specular, emission;
-  F shininess;
+  Exponent shininess;  ///< n, the same in all lanes
 };
 
 /// A light, ready to shine: scene/prepare.cpp makes it from lustro::Light. The same for all lanes.
@@ -48,7 +48,7 @@ struct ShadingLight {
   float cos_cutoff = 0;
   float cos_beam = 0;
   float beam_scale = 0;  ///< 1 / (cos_beam - cos_cutoff); 0: no beam
-  float exponent = 0;
+  Exponent exponent;
 };
 
 /// How a light arrives at a point.
@@ -79,10 +79,13 @@ template <class F>
 LUSTRO_INLINE F attenuate(const ShadingLight& light, const F& distance) {
   F attenuation;
   if (light.falloff == 0.0F) {
+    if (light.attenuation == Vec3f{1, 0, 0}) {
+      return F(1);
+    }
     const Vec3<F> c = vec_cast<F>(light.attenuation);
     attenuation = F(1) / (c.x + (c.y + c.z * distance) * distance);
   } else {
-    attenuation = power(distance, F(-light.falloff));
+    attenuation = power(distance, -light.falloff);
   }
   return lane_min(attenuation, F(light.attenuation_limit));
 }
@@ -90,7 +93,7 @@ LUSTRO_INLINE F attenuate(const ShadingLight& light, const F& distance) {
 /// s = 0 outside the cutoff, else cs^exponent, faded from 1 at the beam to 0 at the cutoff by smoothstep between the cosines.
 template <class F>
 LUSTRO_INLINE F spot_factor(const ShadingLight& light, const F& cs) {
-  F spot = power(cs, F(light.exponent));
+  F spot = power(cs, light.exponent);
   if (light.beam_scale != 0.0F) {
     const F t = clamp01((cs - F(light.cos_cutoff)) * F(light.beam_scale));
     spot = spot * (t * t * (F(3) - F(2) * t));
@@ -137,18 +140,18 @@ LUSTRO_INLINE F n_dot_h(const Surface<F>& s, const Vec3<F>& to_light) {
 /// N.L.
 ///   phong        (n + 2) / 2                            Lafortune and Willems 1994, times pi for classic units
 ///   blinn-phong  (n + 2) (n + 4) / (8 (2^(-n/2) + n))   exact at normal incidence, times pi
-template <Lighting model, class F>
-LUSTRO_INLINE F lobe_normalization(const F& n) {
+template <Lighting model>
+float lobe_normalization(float n) {
   if constexpr (model == Lighting::phong) {
-    return (n + F(2)) * F(0.5F);
+    return (n + 2.0F) * 0.5F;
   } else {
-    return ((n + F(2)) * (n + F(4))) / (F(8) * (exp2_of(n * F(-0.5F)) + n));
+    return ((n + 2.0F) * (n + 4.0F)) / (8.0F * (exp2_of(n * -0.5F) + n));
   }
 }
 
 /// spec, gated: 0 where N.L <= 0.
 template <Lighting model, class F>
-LUSTRO_INLINE F specular_factor(const Surface<F>& s, const F& shininess, const Vec3<F>& to_light, const F& n_dot_l, bool normalized) {
+LUSTRO_INLINE F specular_factor(const Surface<F>& s, const Exponent& shininess, const Vec3<F>& to_light, const F& n_dot_l, bool normalized) {
   if (!any_of(n_dot_l > F(0))) {
     return F(0);  // what the gate below would say, without the power
   }
@@ -160,38 +163,49 @@ LUSTRO_INLINE F specular_factor(const Surface<F>& s, const F& shininess, const V
   }
   F spec = power(lane_max(cosine, F(0)), shininess);
   if (normalized) {
-    spec = spec * (lobe_normalization<model>(shininess) * n_dot_l);
+    spec = spec * (F(lobe_normalization<model>(shininess.n)) * n_dot_l);
   }
   return select(n_dot_l > F(0), spec, F(0));
 }
 
+/// What a material reflects of a light at full strength, k_a l_a, k_d l_d and k_s l_s. K is F, or float where it is the same in all lanes.
+template <class K>
+struct Reflection {
+  Vec3<K> ambient, diffuse, specular;
+};
+
+template <class K>
+LUSTRO_INLINE Reflection<K> reflection_of(const Coefficients<K>& k, const ShadingLight& light) {
+  return {k.ambient * vec_cast<K>(light.ambient), k.diffuse * vec_cast<K>(light.diffuse), k.specular * vec_cast<K>(light.specular)};
+}
+
 /// f s [ k_a l_a + k_d l_d max(N.L, 0) + k_s l_s spec ]: one light's part.
-template <Lighting model, class F>
-LUSTRO_INLINE LightTerms<F> reflect_light(const Surface<F>& s, const Coefficients<F>& k, const ShadingLight& light, const Incident<F>& in,
+template <Lighting model, class F, class K>
+LUSTRO_INLINE LightTerms<F> reflect_light(const Surface<F>& s, const Reflection<K>& k, const Exponent& shininess, const Incident<F>& in,
                                           bool normalized) {
   const F strength = in.attenuation * in.spot;
   const F n_dot_l = dot(s.normal, in.to_light);
   LightTerms<F> part;
-  part.ambient = (k.ambient * vec_cast<F>(light.ambient)) * strength;
-  part.diffuse = (k.diffuse * vec_cast<F>(light.diffuse)) * (strength * lane_max(n_dot_l, F(0)));
+  part.ambient = vec_cast<F>(k.ambient) * strength;
+  part.diffuse = vec_cast<F>(k.diffuse) * (strength * lane_max(n_dot_l, F(0)));
   if constexpr (model != Lighting::lambert) {
-    const F spec = specular_factor<model>(s, k.shininess, in.to_light, n_dot_l, normalized);
-    part.specular = (k.specular * vec_cast<F>(light.specular)) * (strength * spec);
+    const F spec = specular_factor<model>(s, shininess, in.to_light, n_dot_l, normalized);
+    part.specular = vec_cast<F>(k.specular) * (strength * spec);
   }
   return part;
 }
 
-/// The whole equation at one point. visit(i, incident, part) sees every light's part, in order.
-template <Lighting model, class F, class Visit>
-LUSTRO_INLINE Terms<F> light_surface(const Surface<F>& s, const Coefficients<F>& k, const Vec3f& ambient_light,
-                                     std::span<const ShadingLight> lights, bool normalized, Visit&& visit) {
+/// The whole equation at one point. reflection_at(i) is reflection_of() light i; visit(i, incident, part) sees every light's part, in order.
+template <Lighting model, class F, class K, class ReflectionAt, class Visit>
+LUSTRO_INLINE Terms<F> light_surface(const Surface<F>& s, const Coefficients<K>& k, const Vec3f& ambient_light,
+                                     std::span<const ShadingLight> lights, bool normalized, ReflectionAt&& reflection_at, Visit&& visit) {
   if constexpr (model == Lighting::constant) {
-    return {{}, k.diffuse, {}, {}};
+    return {{}, vec_cast<F>(k.diffuse), {}, {}};
   } else {
-    Terms<F> terms{k.ambient * vec_cast<F>(ambient_light), {}, {}, k.emission};
+    Terms<F> terms{vec_cast<F>(k.ambient * vec_cast<K>(ambient_light)), {}, {}, vec_cast<F>(k.emission)};
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const Incident<F> in = incident_light(lights[i], s.position);
-      const LightTerms<F> part = reflect_light<model>(s, k, lights[i], in, normalized);
+      const LightTerms<F> part = reflect_light<model>(s, reflection_at(i), k.shininess, in, normalized);
       terms.ambient += part.ambient;
       terms.diffuse += part.diffuse;
       terms.specular += part.specular;
@@ -202,20 +216,28 @@ LUSTRO_INLINE Terms<F> light_surface(const Surface<F>& s, const Coefficients<F>&
 }
 
 /// The same with the model chosen at run time.
-template <class F, class Visit>
-LUSTRO_INLINE Terms<F> light_surface(Lighting model, const Surface<F>& s, const Coefficients<F>& k, const Vec3f& ambient_light,
-                                     std::span<const ShadingLight> lights, bool normalized, Visit&& visit) {
+template <class F, class K, class ReflectionAt, class Visit>
+LUSTRO_INLINE Terms<F> light_surface(Lighting model, const Surface<F>& s, const Coefficients<K>& k, const Vec3f& ambient_light,
+                                     std::span<const ShadingLight> lights, bool normalized, ReflectionAt&& reflection_at, Visit&& visit) {
   switch (model) {
     case Lighting::constant:
-      return light_surface<Lighting::constant>(s, k, ambient_light, lights, normalized, visit);
+      return light_surface<Lighting::constant>(s, k, ambient_light, lights, normalized, reflection_at, visit);
     case Lighting::lambert:
-      return light_surface<Lighting::lambert>(s, k, ambient_light, lights, normalized, visit);
+      return light_surface<Lighting::lambert>(s, k, ambient_light, lights, normalized, reflection_at, visit);
     case Lighting::phong:
-      return light_surface<Lighting::phong>(s, k, ambient_light, lights, normalized, visit);
+      return light_surface<Lighting::phong>(s, k, ambient_light, lights, normalized, reflection_at, visit);
     case Lighting::blinn_phong:
       break;
   }
-  return light_surface<Lighting::blinn_phong>(s, k, ambient_light, lights, normalized, visit);
+  return light_surface<Lighting::blinn_phong>(s, k, ambient_light, lights, normalized, reflection_at, visit);
+}
+
+/// The same from the coefficients alone.
+template <class F, class Visit>
+LUSTRO_INLINE Terms<F> light_surface(Lighting model, const Surface<F>& s, const Coefficients<F>& k, const Vec3f& ambient_light,
+                                     std::span<const ShadingLight> lights, bool normalized, Visit&& visit) {
+  return light_surface(
+      model, s, k, ambient_light, lights, normalized, [&](std::size_t i) { return reflection_of(k, lights[i]); }, visit);
 }
 
 }  // namespace lustro

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "lustro/vec.hpp"
 #include "math/lane.hpp"
@@ -101,12 +102,6 @@ HWY_INLINE void store_where(Mask m, std::uint32_t* p, Int a) { hn::BlendedStore(
 HWY_INLINE Float gather(const float* p, Int index) { return hn::GatherIndex(kFloats, p, index.v); }
 HWY_INLINE Int gather(const std::int32_t* p, Int index) { return hn::GatherIndex(kInts, p, index.v); }
 HWY_INLINE Int gather(const std::uint32_t* p, Int index) { return hn::GatherIndex(kInts, reinterpret_cast<const std::int32_t*>(p), index.v); }
-HWY_INLINE Vec3<Float> gather(const Vec3f* p, Int index) {
-  const float* f = &p->x;
-  const Int i = index + index + index;
-  return {gather(f, i), gather(f, i + Int(1)), gather(f, i + Int(2))};
-}
-
 /// The lanes of a mask as bits, the first the lowest.
 HWY_INLINE std::uint32_t mask_bits(Mask m) {
   alignas(8) std::uint8_t bytes[8] = {};
@@ -114,8 +109,26 @@ HWY_INLINE std::uint32_t mask_bits(Mask m) {
   return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8;
 }
 HWY_INLINE std::size_t count_true(Mask m) { return hn::CountTrue(kFloats, m.m); }
-/// The lanes of a mask, one after the other; up to kLanes entries are written.
-HWY_INLINE void store_chosen(Mask m, std::int32_t* p, Int a) { hn::CompressStore(a.v, hn::RebindMask(kInts, m.m), kInts, p); }
+/// The lanes of a mask, one after the other; kLanes entries are written. (Some processors need a hundred cycles to store fewer.)
+#if HWY_TARGET == HWY_AVX2  // GCC copies the table of Highway's own Compress to the stack at every call
+/// Of every mask of eight lanes: the chosen lanes' numbers, four bits each, the first the lowest.
+inline constexpr auto kChosenLanes = [] {
+  std::array<std::uint32_t, 256> result{};
+  for (std::uint32_t mask = 0; mask < 256; ++mask) {
+    for (std::uint32_t lane = 0, count = 0; lane < 8; ++lane) {
+      result[mask] |= (mask >> lane & 1) != 0 ? lane << 4 * count++ : 0;
+    }
+  }
+  return result;
+}();
+HWY_INLINE void store_chosen(Mask m, std::int32_t* p, Int a) {
+  const auto fours = hn::ShiftLeft<2>(hn::Iota(kUints, 0));
+  const auto lanes = hn::And(hn::Shr(hn::Set(kUints, kChosenLanes[mask_bits(m)]), fours), hn::Set(kUints, 7));
+  hn::StoreU(hn::TableLookupLanes(a.v, hn::IndicesFromVec(kInts, lanes)), kInts, p);
+}
+#else
+HWY_INLINE void store_chosen(Mask m, std::int32_t* p, Int a) { hn::StoreU(hn::Compress(a.v, hn::RebindMask(kInts, m.m)), kInts, p); }
+#endif
 HWY_INLINE void store_chosen(Mask m, std::uint32_t* p, Int a) { store_chosen(m, reinterpret_cast<std::int32_t*>(p), a); }
 
 /// 0, 1, 2, ...
@@ -128,25 +141,81 @@ struct Words {
   hn::Vec<IntTag> w[16];
   HWY_INLINE Int operator[](std::size_t i) const { return w[i]; }
 };
-/// kLanes structures of 16 words, transposed: words[w] holds word w of all of them. Loads of 16 bytes and shuffles cost less than 16 gathers.
-HWY_INLINE void transpose(const std::uint32_t* first, const std::uint32_t* index, Words& words) {
+#if HWY_TARGET != HWY_SCALAR
+/// Sixteen bytes of every fourth lane from `lane` on, a block each.
+template <class Tag, class At>
+HWY_INLINE hn::Vec<Tag> load_blocks(Tag tag, At&& at, std::size_t lane) {
+  if constexpr (hn::MaxLanes(Tag()) == 4) {
+    return hn::LoadU(tag, at(lane));
+  } else {
+    const hn::Half<Tag> half;
+    return hn::Combine(tag, load_blocks(half, at, lane + hn::MaxLanes(Tag()) / 2), load_blocks(half, at, lane));
+  }
+}
+#endif
+
+/// Four words of kLanes structures, transposed: words[w] holds word w of all of them. at(i) is where those of lane i begin. Loads of 16 bytes
+/// and shuffles cost less than four gathers on every machine, and on some a fifth.
+template <class At>
+HWY_INLINE void load_quads(At&& at, hn::Vec<IntTag>* words) {
 #if HWY_TARGET == HWY_SCALAR
-  for (std::size_t w = 0; w < 16; ++w) {
-    words.w[w] = Int(static_cast<std::int32_t>(first[std::size_t{16} * *index + w])).v;
+  for (std::size_t w = 0; w < 4; ++w) {
+    words[w] = Int(at(std::size_t{0})[w]).v;
   }
 #else
-  const hn::FixedTag<std::int32_t, 4> quad;
-  alignas(64) std::int32_t quads[4][4 * kLanes];
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    const auto* from = reinterpret_cast<const std::int32_t*>(first) + std::size_t{16} * index[i];
-    for (std::size_t q = 0; q < 4; ++q) {
-      hn::Store(hn::LoadU(quad, from + 4 * q), quad, &quads[q][4 * i]);
-    }
-  }
-  for (std::size_t q = 0; q < 4; ++q) {
-    hn::LoadInterleaved4(kInts, quads[q], words.w[4 * q], words.w[4 * q + 1], words.w[4 * q + 2], words.w[4 * q + 3]);
-  }
+  const auto row0 = load_blocks(kInts, at, 0), row1 = load_blocks(kInts, at, 1);
+  const auto row2 = load_blocks(kInts, at, 2), row3 = load_blocks(kInts, at, 3);
+  const hn::Repartition<std::int64_t, IntTag> halves;
+  const auto low01 = hn::BitCast(halves, hn::InterleaveLower(kInts, row0, row1));
+  const auto low23 = hn::BitCast(halves, hn::InterleaveLower(kInts, row2, row3));
+  const auto high01 = hn::BitCast(halves, hn::InterleaveUpper(kInts, row0, row1));
+  const auto high23 = hn::BitCast(halves, hn::InterleaveUpper(kInts, row2, row3));
+  words[0] = hn::BitCast(kInts, hn::InterleaveLower(halves, low01, low23));
+  words[1] = hn::BitCast(kInts, hn::InterleaveUpper(halves, low01, low23));
+  words[2] = hn::BitCast(kInts, hn::InterleaveLower(halves, high01, high23));
+  words[3] = hn::BitCast(kInts, hn::InterleaveUpper(halves, high01, high23));
 #endif
+}
+
+/// The opposite: the four words of lane i are stored at out + 4 i.
+HWY_INLINE void store_quads(Int a, Int b, Int c, Int d, std::int32_t* out) {
+#if HWY_TARGET == HWY_SCALAR
+  store(out, a);
+  store(out + 1, b);
+  store(out + 2, c);
+  store(out + 3, d);
+#else
+  hn::StoreInterleaved4(a.v, b.v, c.v, d.v, kInts, out);
+#endif
+}
+
+/// list[index] of every lane.
+HWY_INLINE Vec3<Float> gather(const std::vector<Vec3f>& list, Int index) {
+  const float* f = &list.data()->x;
+  alignas(64) std::array<std::uint32_t, kLanes> lanes;
+  store(lanes.data(), index);
+  // Four words are loaded where three stand: not behind the last vector.
+  if (HWY_UNLIKELY(kLanes == 1 || any_of(index == Int(static_cast<std::int32_t>(list.size() - 1))))) {
+    const Int i = index + index + index;
+    return {gather(f, i), gather(f, i + Int(1)), gather(f, i + Int(2))};
+  }
+  hn::Vec<IntTag> words[4];
+  load_quads([&](std::size_t i) { return reinterpret_cast<const std::int32_t*>(f + std::size_t{3} * lanes[i]); }, words);
+  return {from_bits(words[0]), from_bits(words[1]), from_bits(words[2])};
+}
+
+/// kLanes structures of 16 words, transposed: words[w] holds word w of all of them.
+HWY_INLINE void transpose(const std::uint32_t* first, const std::uint32_t* index, Words& words) {
+  for (std::size_t q = 0; q < 16; q += 4) {
+    load_quads([&](std::size_t i) { return reinterpret_cast<const std::int32_t*>(first) + std::size_t{16} * index[i] + q; }, &words.w[q]);
+  }
+}
+
+/// The same structure in all lanes.
+HWY_INLINE void repeat(const std::uint32_t* structure, Words& words) {
+  for (std::size_t w = 0; w < 16; ++w) {
+    words.w[w] = Int(static_cast<std::int32_t>(structure[w])).v;
+  }
 }
 
 /// The opposite for floats: structure i of 16 words is stored at out + 16 i.

@@ -63,6 +63,46 @@ TEST(Power, FollowsTheConventionsOfLighting) {
   EXPECT_GT(power(0.0F, -2.0F), 1e38F);
 }
 
+TEST(Power, WholeExponentsStayBelowTheirStatedError) {
+  std::mt19937 random(2);
+  for (int n = 1; n <= 256; ++n) {
+    double worst = 0;
+    for (int i = 0; i < 4000; ++i) {
+      // highlights are where the power is: down to 2^-25
+      const float x = i == 0 ? 1.0F : static_cast<float>(std::exp2(-25.0 / n * static_cast<double>(random() >> 8) * 0x1p-24));
+      const double exact = std::pow(static_cast<double>(x), n);
+      worst = std::max(worst, std::abs(static_cast<double>(power(x, static_cast<float>(n))) - exact) / exact);
+    }
+    EXPECT_LT(worst, n * 6e-8) << n;
+  }
+}
+
+TEST(Power, WholeExponentsAreZeroOrNormalEverywhere) {
+  for (int n = 0; n <= 256; ++n) {
+    const Exponent exponent(static_cast<float>(n));
+    EXPECT_EQ(exponent.whole, n);
+    EXPECT_EQ(power(1.0F, exponent), 1.0F);
+    for (const float x : {0.0F, -0.0F, -1.0F, 1e-38F, 1e-45F}) {
+      EXPECT_EQ(power(x, exponent), n == 0 ? 1.0F : 0.0F) << n << " " << x;
+    }
+    if (n > 0) {
+      const float below = from_bits(bits_of(exponent.smallest) - 1);
+      EXPECT_EQ(power(below, exponent), 0.0F);
+      EXPECT_NEAR(std::log2(power(exponent.smallest, exponent)), -99, 1e-4) << n;
+    }
+  }
+}
+
+TEST(Power, WhatIsSquaredAndWhatIsNotIsStated) {
+  EXPECT_EQ(Exponent(256).whole, 256);
+  EXPECT_EQ(Exponent(257).whole, -1);
+  EXPECT_EQ(Exponent(76.8F).whole, -1);
+  EXPECT_EQ(Exponent(-2).whole, -1);
+  EXPECT_EQ(Exponent(1e30F).whole, -1);
+  const float squared = power(0.9F, 256);
+  EXPECT_NEAR(squared, exp2_of(256 * log2_of(0.9F)), 3e-5F * squared);  // the two ways meet
+}
+
 TEST(Power, StaysBelowItsStatedErrorForExponentsOfMaterials) {
   std::mt19937 random(1);
   double worst = 0;

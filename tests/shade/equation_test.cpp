@@ -68,7 +68,7 @@ TEST(Equation, TheWholeEquationAgreesWithTheTextbook) {  // random surfaces unde
     }
     ++compared;
     const Coefficients<double> kd{vec_cast<double>(k.ambient), vec_cast<double>(k.diffuse), vec_cast<double>(k.specular),
-                                  vec_cast<double>(k.emission), static_cast<double>(k.shininess)};
+                                  vec_cast<double>(k.emission), k.shininess};
     const textbook::Result expected = textbook::light(model, p, kd, vec_cast<double>(scene_ambient), lights, normalized);
     const Terms<float> actual = light_surface(model, s, k, scene_ambient, ready(lights), normalized, kNobody);
     // A cosine is off by some 2e-7, the spot's power and the highlight's multiply that by their exponents.
@@ -80,7 +80,7 @@ TEST(Equation, TheWholeEquationAgreesWithTheTextbook) {  // random surfaces unde
     };
     expect_near(actual.ambient, expected.ambient, relative);
     expect_near(actual.diffuse, expected.diffuse, relative);
-    expect_near(actual.specular, expected.specular, relative + 6e-7 * kd.shininess);
+    expect_near(actual.specular, expected.specular, relative + 6e-7 * static_cast<double>(k.shininess.n));
     expect_near(actual.emission, expected.emission, 0);
     ASSERT_FALSE(HasFailure()) << "round " << round;
   }

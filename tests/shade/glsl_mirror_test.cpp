@@ -37,7 +37,7 @@ void set_scene(Program& program, const Coefficients<float>& k, const Vec3f& ambi
   program.material.diffuse = to_glsl(k.diffuse);
   program.material.specular = to_glsl(k.specular);
   program.material.emission = to_glsl(k.emission);
-  program.material.shininess = k.shininess;
+  program.material.shininess = k.shininess.n;
   if constexpr (requires { program.light_count; }) {
     program.ambient_light = to_glsl(ambient_light);
     program.light_count = static_cast<int>(lights.size());
@@ -56,7 +56,7 @@ void set_scene(Program& program, const Coefficients<float>& k, const Vec3f& ambi
       to.cos_cutoff = from.cos_cutoff;
       to.cos_beam = from.cos_beam;
       to.beam_scale = from.beam_scale;
-      to.exponent = from.exponent;
+      to.exponent = from.exponent.n;
     }
   }
 }

@@ -37,6 +37,7 @@ struct vec3 {
   friend vec3 operator-(const vec3& a, const vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
   friend vec3 operator*(const vec3& a, const vec3& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
   friend vec3 operator*(const vec3& a, Float s) { return {a.x * s, a.y * s, a.z * s}; }
+  friend bool operator==(const vec3& a, const vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
   friend vec3 operator-(const vec3& a) { return {-a.x, -a.y, -a.z}; }
   vec3& operator+=(const vec3& a) { return *this = *this + a; }
 };

@@ -80,8 +80,8 @@ inline Result light(Lighting model, const Point& p, const Coefficients<double>& 
     const Vec3d h = normalize(l + p.to_eye);
     double spec = 0;
     if (model != Lighting::lambert && n_dot_l > 0) {
-      spec = raise(model == Lighting::phong ? dot(r, p.to_eye) : dot(p.normal, h), k.shininess);
-      spec *= normalized ? normalization(model, k.shininess) * n_dot_l : 1;
+      spec = raise(model == Lighting::phong ? dot(r, p.to_eye) : dot(p.normal, h), static_cast<double>(k.shininess.n));
+      spec *= normalized ? normalization(model, static_cast<double>(k.shininess.n)) * n_dot_l : 1;
     }
     result.ambient += k.ambient * vec_cast<double>(light.ambient.rgb) * fs;
     result.diffuse += k.diffuse * vec_cast<double>(light.diffuse.rgb) * (fs * std::max(n_dot_l, 0.0));
