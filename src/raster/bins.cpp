@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <span>
 
 #include "parallel/parallel_for.hpp"
 
@@ -27,7 +29,7 @@ Interval transform(const float* row, const Vec3f& center, const Vec3f& extent) {
 /// What a cluster is to the picture.
 struct Sight {
   enum class Kind : std::uint8_t { hidden, whole, loose } kind = Kind::hidden;
-  std::uint16_t left = 0, top = 0, right = 0, bottom = 0;  // tiles, bounds included
+  TileRange tiles{};
   VisibleCluster cluster;
 };
 
@@ -80,33 +82,29 @@ Sight look_at(const Frame& frame, const Instance& instance, const Cluster& clust
   sight.cluster.right = pixel(right, view.width);
   sight.cluster.top = pixel(top, view.height);
   sight.cluster.bottom = pixel(bottom, view.height);
-  sight.left = static_cast<std::uint16_t>(tile(left, frame.tile_width, frame.tiles_x));
-  sight.right = static_cast<std::uint16_t>(tile(right, frame.tile_width, frame.tiles_x));
-  sight.top = static_cast<std::uint16_t>(tile(top, frame.tile_height, frame.tiles_y));
-  sight.bottom = static_cast<std::uint16_t>(tile(bottom, frame.tile_height, frame.tiles_y));
+  sight.tiles = {tile(left, frame.tile_width, frame.tiles_x), tile(top, frame.tile_height, frame.tiles_y),
+                 tile(right, frame.tile_width, frame.tiles_x), tile(bottom, frame.tile_height, frame.tiles_y)};
   return sight;
 }
 
-/// Stretches of all instances' clusters.
-struct Job {
-  std::uint32_t instance;
-  std::uint32_t first, last;
-};
-
-std::vector<Job> make_jobs(const PreparedScene& scene) {
-  std::vector<Job> jobs;
+void cut_into_parts(const PreparedScene& scene, BinWork& work) {
+  work.used = 0;
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const auto count = static_cast<std::uint32_t>(scene.instances[i].drawable->clusters.clusters.size());
     for (std::uint32_t first = 0; first < count; first += kStretch) {
-      jobs.push_back({i, first, std::min(count, first + static_cast<std::uint32_t>(kStretch))});
+      if (work.used == work.parts.size()) {
+        work.parts.emplace_back();
+      }
+      BinWork::Part& part = work.parts[work.used++];
+      part.instance = i;
+      part.first = first;
+      part.last = std::min(count, first + static_cast<std::uint32_t>(kStretch));
+      part.clusters.clear();
+      part.ranges.clear();
+      part.loose.clear();
     }
   }
-  return jobs;
 }
-
-struct TileRange {
-  int left, top, right, bottom;
-};
 
 /// Counts, then fills. `range_of(i)` is where item i lies.
 template <class RangeOf>
@@ -142,47 +140,39 @@ void make_lists(const Frame& frame, std::size_t count, RangeOf&& range_of, TileL
 
 }  // namespace
 
-void sort_into_tiles(Frame& frame, int threads) {
+void sort_into_tiles(Frame& frame, BinWork& work, int threads) {
   const PreparedScene& scene = *frame.scene;
-  const std::vector<Job> jobs = make_jobs(scene);
-  struct Seen {
-    std::vector<VisibleCluster> clusters;
-    std::vector<Sight> sights;
-    std::vector<ScreenTriangle> loose;
-  };
-  std::vector<Seen> seen(jobs.size());
-  parallel_for(jobs.size(), threads, [&](std::size_t j) {
-    const Instance& instance = scene.instances[jobs[j].instance];
+  cut_into_parts(scene, work);
+  const auto look = [&](std::size_t p) {
+    BinWork::Part& part = work.parts[p];
+    const Instance& instance = scene.instances[part.instance];
     const Clusters& clusters = instance.drawable->clusters;
-    for (std::uint32_t c = jobs[j].first; c < jobs[j].last; ++c) {
+    for (std::uint32_t c = part.first; c < part.last; ++c) {
       const Cluster& cluster = clusters.clusters[c];
       const Sight sight = look_at(frame, instance, cluster);
       if (sight.kind == Sight::Kind::whole) {
-        seen[j].clusters.push_back(sight.cluster);
-        seen[j].clusters.back().instance = jobs[j].instance;
-        seen[j].clusters.back().cluster = c;
-        seen[j].sights.push_back(sight);
+        part.clusters.push_back(sight.cluster);
+        part.clusters.back().instance = part.instance;
+        part.clusters.back().cluster = c;
+        part.ranges.push_back(sight.tiles);
       } else if (sight.kind == Sight::Kind::loose) {
         for (std::uint32_t t = 0; t < cluster.triangles; ++t) {
-          setup_triangle(scene, jobs[j].instance, clusters.triangle_at(cluster.first_triangle + t), seen[j].loose);
+          setup_triangle(scene, part.instance, clusters.triangle_at(cluster.first_triangle + t), part.loose);
         }
       }
     }
-  });
+  };
+  parallel_for(work.used, threads, std::ref(look));  // a reference, because std::function would allocate for the lambda itself
   frame.clusters.clear();
   frame.loose.clear();
-  std::vector<Sight> sights;
-  for (const Seen& part : seen) {
+  work.ranges.clear();
+  for (const BinWork::Part& part : std::span(work.parts).first(work.used)) {
     frame.clusters.insert(frame.clusters.end(), part.clusters.begin(), part.clusters.end());
-    sights.insert(sights.end(), part.sights.begin(), part.sights.end());
     frame.loose.insert(frame.loose.end(), part.loose.begin(), part.loose.end());
+    work.ranges.insert(work.ranges.end(), part.ranges.begin(), part.ranges.end());
   }
   make_lists(
-      frame, sights.size(),
-      [&](std::size_t i) {
-        return TileRange{sights[i].left, sights[i].top, sights[i].right, sights[i].bottom};
-      },
-      frame.cluster_lists);
+      frame, work.ranges.size(), [&](std::size_t i) { return work.ranges[i]; }, frame.cluster_lists);
   make_lists(
       frame, frame.loose.size(),
       [&](std::size_t i) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <mutex>
 #include <new>
 
@@ -28,8 +29,11 @@ struct Workshop {
   explicit Workshop(ClusterUse use) : meshes(use) {}
 
   MeshCache meshes;
+  PreparedScene prepared;
   Frame frame;
+  BinWork bins;
   std::vector<std::unique_ptr<TileScratch>> scratches;  // one a thread
+  std::vector<TileScratch*> idle_scratches;
 };
 
 using Clock = std::chrono::steady_clock;
@@ -41,7 +45,9 @@ double milliseconds(Clock::duration duration) {
 /// Hands out a scratch to whoever draws a tile.
 class ScratchPool {
  public:
-  ScratchPool(std::vector<std::unique_ptr<TileScratch>>& scratches, const Frame& frame) : scratches_(scratches), frame_(frame) {}
+  explicit ScratchPool(Workshop& workshop) : scratches_(workshop.scratches), free_(workshop.idle_scratches), frame_(workshop.frame) {
+    free_.clear();
+  }
   TileScratch* take() {
     const std::lock_guard lock(mutex_);
     if (free_.empty() && used_ == scratches_.size()) {
@@ -64,8 +70,8 @@ class ScratchPool {
 
  private:
   std::vector<std::unique_ptr<TileScratch>>& scratches_;
+  std::vector<TileScratch*>& free_;
   const Frame& frame_;
-  std::vector<TileScratch*> free_;
   std::size_t used_ = 0;
   std::mutex mutex_;
 };
@@ -131,13 +137,13 @@ void lay_out(Frame& frame, const PreparedScene& scene, std::span<const Aov> aovs
   frame.background = background_pixel(scene);
 }
 
-void draw_tiles(Frame& frame, std::vector<std::unique_ptr<TileScratch>>& scratches, const Kernels& kernels, const RenderOptions& options,
-                Rendering& result) {
+void draw_tiles(Workshop& workshop, const Kernels& kernels, const RenderOptions& options, Rendering& result) {
   const auto begin = Clock::now();
+  const Frame& frame = workshop.frame;
   const std::size_t tiles = static_cast<std::size_t>(frame.tiles_x) * static_cast<std::size_t>(frame.tiles_y);
   Progress progress(options.progress, tiles);
-  ScratchPool pool(scratches, frame);
-  parallel_for(tiles, options.threads, [&](std::size_t tile) {
+  ScratchPool pool(workshop);
+  const auto draw_tile = [&](std::size_t tile) {
     TileScratch* scratch = pool.take();
     const auto start = Clock::now();
     kernels.fill_tile(frame, tile, *scratch);
@@ -147,7 +153,8 @@ void draw_tiles(Frame& frame, std::vector<std::unique_ptr<TileScratch>>& scratch
     scratch->shading_ms += milliseconds(Clock::now() - filled);
     pool.give_back(scratch);
     progress.step();
-  });
+  };
+  parallel_for(tiles, options.threads, std::ref(draw_tile));  // a reference, because std::function would allocate for the lambda itself
   double visibility = 0;
   double shading = 0;
   for (const auto& scratch : pool.used()) {
@@ -166,40 +173,40 @@ Result<void> draw(const Scene& scene, const RenderOptions& options, Workshop& wo
   if (!target) {
     return tl::unexpected(target.error());
   }
-  const auto prepared = prepare(scene, workshop.meshes, options.threads);  // scene/prepare.cpp
-  if (!prepared) {
-    return tl::unexpected(prepared.error());
+  PreparedScene& prepared = workshop.prepared;
+  if (auto done = prepare(scene, workshop.meshes, options.threads, prepared); !done) {  // scene/prepare.cpp
+    return done;
   }
-  const auto aovs = unfold_aovs(options.aovs, *prepared);  // reference/aov.cpp
+  const auto aovs = unfold_aovs(options.aovs, prepared);  // reference/aov.cpp
   if (!aovs) {
     return tl::unexpected(aovs.error());
   }
-  result.notes = prepared->notes;
+  result.notes = prepared.notes;
   result.times = {};
   result.times.prepare = milliseconds(Clock::now() - begin);
   result.layers.clear();
   for (const Aov& aov : *aovs) {
-    result.layers.push_back(make_layer(aov, *prepared));
+    result.layers.push_back(make_layer(aov, prepared));
   }
   if (options.engine == Engine::reference) {
-    render_reference(*prepared, *aovs, options, result);  // reference/render.cpp
+    render_reference(prepared, *aovs, options, result);  // reference/render.cpp
     result.times.total = milliseconds(Clock::now() - begin);
     return {};
   }
-  result.stats = {.triangles = prepared->triangle_count};
+  result.stats = {.triangles = prepared.triangle_count};
   if (options.store_color) {
-    resize(result.color, prepared->view, 4);
+    resize(result.color, prepared.view, 4);
   }
   if (options.store_bytes) {
-    resize(result.bytes, prepared->view, 4);
+    resize(result.bytes, prepared.view, 4);
   }
-  lay_out(workshop.frame, *prepared, *aovs, options, result);
+  lay_out(workshop.frame, prepared, *aovs, options, result);
   const auto laid_out = Clock::now();
-  sort_into_tiles(workshop.frame, options.threads);  // raster/bins.cpp
+  sort_into_tiles(workshop.frame, workshop.bins, options.threads);  // raster/bins.cpp
   result.times.cull = milliseconds(Clock::now() - laid_out);
-  draw_tiles(workshop.frame, workshop.scratches, kernels_of(*target), options, result);  // raster/row.cpp
+  draw_tiles(workshop, kernels_of(*target), options, result);  // raster/row.cpp
   if (result.stats.pixels_covered == 0) {
-    result.stats.triangles_seen = setup_triangles(*prepared, options.threads).size();
+    result.stats.triangles_seen = setup_triangles(prepared, options.threads).size();
   }
   result.times.total = milliseconds(Clock::now() - begin);
   return {};

@@ -23,8 +23,7 @@ Vec3f linear_rgb(const Color& color, Transfer transfer) {
   return linear_rgb(color.rgb, color.space, transfer);
 }
 
-ShadingMaterial prepare_material(const Material& material, const Shading& shading, Transfer transfer) {
-  ShadingMaterial result;
+void prepare_material(const Material& material, const Shading& shading, Transfer transfer, ShadingMaterial& result) {
   result.stated = material;
   const auto decode = [transfer](const Color& color) { return Color{linear_rgb(color, transfer), ColorSpace::linear}; };
   result.stated.ambient = decode(material.ambient);
@@ -38,7 +37,6 @@ ShadingMaterial prepare_material(const Material& material, const Shading& shadin
   result.coefficients = {keep(terms.ambient, result.stated.ambient), keep(terms.diffuse, result.stated.diffuse),
                          keep(terms.specular, result.stated.specular), keep(terms.emission, result.stated.emission), material.shininess};
   result.lighting = material.lighting.value_or(shading.lighting);
-  return result;
 }
 
 ShadingLight prepare_light(const Light& light, const View& view, Transfer transfer) {
@@ -161,54 +159,57 @@ double reach_of(const Clusters& clusters, const Mesh& mesh, const Vec3d& directi
       }
     }
   };
-  std::vector<double> bounds(clusters.groups.size());
-  std::transform(clusters.groups.begin(), clusters.groups.end(), bounds.begin(), bound);
-  if (!bounds.empty()) {  // the most promising first, so that the others are passed over
-    look_into(static_cast<std::size_t>(std::max_element(bounds.begin(), bounds.end()) - bounds.begin()));
+  std::size_t promising = 0;
+  double most = -std::numeric_limits<double>::infinity();
+  for (std::size_t group = 0; group < clusters.groups.size(); ++group) {
+    if (const double reach = bound(clusters.groups[group]); reach > most) {
+      most = reach;
+      promising = group;
+    }
   }
-  for (std::size_t group = 0; group < bounds.size(); ++group) {
-    if (bounds[group] > farthest) {
+  if (!clusters.groups.empty()) {
+    look_into(promising);  // first, so that the others are passed over
+  }
+  for (std::size_t group = 0; group < clusters.groups.size(); ++group) {
+    if (bound(clusters.groups[group]) > farthest) {
       look_into(group);
     }
   }
   return farthest;
 }
 
-using Drawables = std::vector<std::shared_ptr<const DrawableMesh>>;  // one an object
-
-void reach_of(const Scene& scene, const Drawables& drawables, std::span<const Vec3d> directions, std::span<double> reach) {
+void reach_of(const Scene& scene, std::span<const Instance> instances, std::span<const Vec3d> directions, std::span<double> reach) {
   std::fill(reach.begin(), reach.end(), -std::numeric_limits<double>::infinity());
-  for (std::size_t o = 0; o < drawables.size(); ++o) {
+  for (std::size_t o = 0; o < instances.size(); ++o) {
     const Mat4& m = scene.objects[o].matrix;
     for (std::size_t i = 0; i < directions.size(); ++i) {
       const Vec3d& d = directions[i];  // dot(d, M p) = dot(M^T d, p)
       const Vec3d local{(m(0, 0) * d.x + m(1, 0) * d.y) + m(2, 0) * d.z, (m(0, 1) * d.x + m(1, 1) * d.y) + m(2, 1) * d.z,
                         (m(0, 2) * d.x + m(1, 2) * d.y) + m(2, 2) * d.z};
       const double offset = (m(0, 3) * d.x + m(1, 3) * d.y) + m(2, 3) * d.z;
-      reach[i] = std::max(reach[i], reach_of(drawables[o]->clusters, *drawables[o]->mesh, local) + offset);
+      reach[i] = std::max(reach[i], reach_of(instances[o].drawable->clusters, *instances[o].mesh, local) + offset);
     }
   }
 }
 
-Extent extent_of(const Scene& scene, const Drawables& drawables) {
+// Refers to both arguments.
+Extent extent_of(const Scene& scene, const std::vector<Instance>& instances) {
   Extent extent;
   constexpr std::array kAxes{Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}, Vec3d{-1, 0, 0}, Vec3d{0, -1, 0}, Vec3d{0, 0, -1}};
   std::array<double, 6> reach{};
-  reach_of(scene, drawables, kAxes, reach);
+  reach_of(scene, instances, kAxes, reach);
   extent.bounds.upper = {reach[0], reach[1], reach[2]};
   extent.bounds.lower = {-reach[3], -reach[4], -reach[5]};
-  extent.reach = [&scene, &drawables](std::span<const Vec3d> directions, std::span<double> out) { reach_of(scene, drawables, directions, out); };
+  extent.reach = [&scene, &instances](std::span<const Vec3d> directions, std::span<double> out) { reach_of(scene, instances, directions, out); };
   return extent;
 }
 
-Result<void> add_object(PreparedScene& prepared, const Scene& scene, std::size_t index, std::shared_ptr<const DrawableMesh> drawable) {
+// Completes the instance of an object, of which the mesh is known. `materials` counts those that are prepared.
+Result<void> add_object(PreparedScene& prepared, const Scene& scene, std::size_t index, std::size_t& materials) {
   const Object& object = scene.objects[index];
   const std::string where = fmt::format("objects[{}]", index);
-  prepared.object_names.push_back(!object.name.empty() ? object.name : object.source);
-  Instance instance;
-  instance.mesh = drawable->mesh.get();
-  instance.drawable = std::move(drawable);
-  instance.object = static_cast<std::uint32_t>(index);
+  prepared.object_names[index] = !object.name.empty() ? object.name : object.source;
+  Instance& instance = prepared.instances[index];
   if (auto placed = place(instance, object.matrix, prepared.view, where); !placed) {
     return placed;
   }
@@ -219,22 +220,26 @@ Result<void> add_object(PreparedScene& prepared, const Scene& scene, std::size_t
   instance.first_triangle = prepared.triangle_count;
   prepared.triangle_count += static_cast<std::uint32_t>(triangles);
 
-  instance.first_material = static_cast<std::uint32_t>(prepared.materials.size());
+  instance.first_material = static_cast<std::uint32_t>(materials);
   instance.has_own_materials = !object.material && !instance.mesh->materials.empty();
-  if (instance.has_own_materials) {
-    for (const Material& material : instance.mesh->materials) {
-      prepared.materials.push_back(prepare_material(material, scene.shading, prepared.transfer));
+  const auto add = [&](const Material& material) {
+    if (materials == prepared.materials.size()) {
+      prepared.materials.emplace_back();
     }
+    prepare_material(material, scene.shading, prepared.transfer, prepared.materials[materials++]);
+  };
+  if (instance.has_own_materials) {
+    std::for_each(instance.mesh->materials.begin(), instance.mesh->materials.end(), add);
+  } else if (object.material) {
+    add(*object.material);
   } else {
-    prepared.materials.push_back(prepare_material(object.material.value_or(Material{}), scene.shading, prepared.transfer));
+    add({});
   }
-  prepared.instances.push_back(std::move(instance));
   return {};
 }
 
 // Objects have meshes, meshes are sound, matrices are affine and finite: whatever follows may rely on it.
-Result<Drawables> check_objects(const Scene& scene, MeshCache& cache, int threads) {
-  Drawables drawables;
+Result<void> check_objects(const Scene& scene, MeshCache& cache, int threads, std::vector<Instance>& instances) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
     const std::string where = fmt::format("objects[{}]", i);
@@ -248,7 +253,10 @@ Result<Drawables> check_objects(const Scene& scene, MeshCache& cache, int thread
     if (!drawable) {
       return tl::unexpected(drawable.error());
     }
-    drawables.push_back(*drawable);
+    Instance& instance = instances.emplace_back();
+    instance.mesh = (*drawable)->mesh.get();
+    instance.drawable = *std::move(drawable);
+    instance.object = static_cast<std::uint32_t>(i);
     const Mat4& m = object.matrix;
     if (!std::all_of(m.m.begin(), m.m.end(), [](double value) { return std::isfinite(value); })) {
       return fail(ErrorKind::usage, where + ".matrix", "holds a number that is not finite");
@@ -258,7 +266,7 @@ Result<Drawables> check_objects(const Scene& scene, MeshCache& cache, int thread
     }
   }
   cache.forget_unused();
-  return drawables;
+  return {};
 }
 
 Result<void> check_image(const ImageSettings& image) {
@@ -275,48 +283,57 @@ Result<void> check_image(const ImageSettings& image) {
 
 Result<PreparedScene> prepare(const Scene& scene) {
   MeshCache cache(ClusterUse::once);
-  return prepare(scene, cache, 0);
+  PreparedScene prepared;
+  return prepare(scene, cache, 0, prepared).map([&] { return std::move(prepared); });
 }
 
-Result<PreparedScene> prepare(const Scene& scene, MeshCache& cache, int threads) {
+Result<void> prepare(const Scene& scene, MeshCache& cache, int threads, PreparedScene& prepared) {
+  prepared.instances.clear();
+  prepared.lights.clear();
+  prepared.notes.clear();
+  prepared.triangle_count = 0;
   if (auto checked = check_image(scene.image); !checked) {
     return tl::unexpected(checked.error());
   }
-  auto drawables = check_objects(scene, cache, threads);
-  if (!drawables) {
-    return tl::unexpected(drawables.error());
+  if (auto checked = check_objects(scene, cache, threads, prepared.instances); !checked) {
+    return checked;
   }
-  PreparedScene prepared;
   prepared.shading = scene.shading;
   prepared.transfer = scene.image.transfer;
-  auto view = make_view(scene.camera, scene.image, extent_of(scene, *drawables));
+  auto view = make_view(scene.camera, scene.image, extent_of(scene, prepared.instances));
   if (!view) {
     return tl::unexpected(view.error());
   }
   prepared.view = *view;
+  prepared.object_names.resize(scene.objects.size());
+  std::size_t materials = 0;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    if (auto added = add_object(prepared, scene, i, std::move((*drawables)[i])); !added) {
-      return tl::unexpected(added.error());
+    if (auto added = add_object(prepared, scene, i, materials); !added) {
+      return added;
     }
   }
+  prepared.materials.resize(materials);
   if (prepared.triangle_count == 0) {
     return fail(ErrorKind::empty, "", scene.objects.empty() ? "the scene has no objects" : "the scene has no triangles");
   }
-  prepared.stated_lights = scene.lights ? *scene.lights : default_rig(prepared.view);
+  if (scene.lights) {
+    prepared.stated_lights = *scene.lights;
+  } else {
+    const auto rig = default_rig(prepared.view);
+    prepared.stated_lights.assign(rig.begin(), rig.end());
+  }
   for (const Light& light : prepared.stated_lights) {
     prepared.lights.push_back(prepare_light(light, prepared.view, prepared.transfer));
   }
   prepared.ambient = linear_rgb(scene.ambient, prepared.transfer);
-  if (scene.fog) {
-    prepared.fog = prepare_fog(*scene.fog, prepared.transfer);
-  }
+  prepared.fog = scene.fog ? std::optional(prepare_fog(*scene.fog, prepared.transfer)) : std::nullopt;
   const float alpha = scene.image.transparent ? 0 : scene.image.background_alpha;
   const Vec3f background = linear_rgb(scene.image.background, prepared.transfer) * alpha;
   prepared.background = {background.x, background.y, background.z, alpha};
   if (std::any_of(prepared.materials.begin(), prepared.materials.end(), [](const ShadingMaterial& m) { return m.stated.opacity < 1; })) {
     prepared.notes.push_back({"", "materials with an opacity below 1 are drawn opaque"});
   }
-  return prepared;
+  return {};
 }
 
 }  // namespace lustro

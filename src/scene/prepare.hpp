@@ -75,7 +75,7 @@ struct PreparedScene {
 ///         than 2^32 - 2 triangles; empty for a scene without any triangle
 [[nodiscard]] Result<PreparedScene> prepare(const Scene& scene);
 
-/// The same with what is kept of the meshes from one picture to the next.
-[[nodiscard]] Result<PreparedScene> prepare(const Scene& scene, MeshCache& cache, int threads);
+/// The same into what the last picture left there, whose memory is used again; and with what is kept of the meshes.
+[[nodiscard]] Result<void> prepare(const Scene& scene, MeshCache& cache, int threads, PreparedScene& prepared);
 
 }  // namespace lustro

@@ -199,7 +199,7 @@ Result<View> make_view(const Camera& camera, const ImageSettings& image, const E
   return view;
 }
 
-std::vector<Light> default_rig(const View& view) {
+std::array<Light, 3> default_rig(const View& view) {
   const auto directional = [&view](const char* name, Vec3d from, Vec3f color, float specular) {
     Light light;
     light.name = name;

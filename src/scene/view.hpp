@@ -2,6 +2,7 @@
 // far from the origin loses no digits; the renderers read the float members.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <span>
 
@@ -77,6 +78,6 @@ struct Extent {
 [[nodiscard]] Result<View> make_view(const Camera& camera, const ImageSettings& image, const Extent& extent);
 
 /// The light of a scene without `lights`: key, fill and rim, fixed to the camera.
-[[nodiscard]] std::vector<Light> default_rig(const View& view);
+[[nodiscard]] std::array<Light, 3> default_rig(const View& view);
 
 }  // namespace lustro

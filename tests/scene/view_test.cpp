@@ -141,7 +141,7 @@ TEST(View, AnEyeInsideTheSceneHasAPositiveNearPlane) {
 
 TEST(View, TheDefaultRigComesFromAboveTheCamerasLeftShoulder) {
   const View view = view_of({.view = ViewPreset::right}, box({-1, -1, -1}, {1, 1, 1}));
-  const std::vector<Light> rig = default_rig(view);
+  const std::array<Light, 3> rig = default_rig(view);
   ASSERT_EQ(rig.size(), 3U);
   EXPECT_LT(dot(rig[0].direction, view.up), 0);
   EXPECT_GT(dot(rig[0].direction, view.right), 0) << "the key light stands on the left and shines to the right";
