@@ -31,8 +31,16 @@ if(LUSTRO_CORE_ONLY)
     file(CREATE_LINK ${LUSTRO_${folder}_HEADERS}/${folder} ${headers}/${folder} SYMBOLIC)
   endforeach()
   target_include_directories(lustro_public_dependencies SYSTEM INTERFACE ${headers})
-  target_compile_definitions(lustro_core_dependencies INTERFACE FMT_HEADER_ONLY)
+  target_compile_definitions(lustro_core_dependencies INTERFACE "FMT_STATIC_THOUSANDS_SEPARATOR=','") # no locales: they are half a megabyte
   target_link_libraries(lustro_core_dependencies INTERFACE ${lustro_threads})
+
+  # Of fmt 9 we know what to compile once; another one is compiled wherever it is included.
+  file(STRINGS ${headers}/fmt/core.h version_line REGEX "define FMT_VERSION")
+  if(version_line MATCHES "FMT_VERSION 9[0-9][0-9][0-9][0-9]$")
+    set(lustro_fmt_source cmake/fmt.cpp)
+  else()
+    target_compile_definitions(lustro_core_dependencies INTERFACE FMT_HEADER_ONLY)
+  endif()
   return()
 endif()
 

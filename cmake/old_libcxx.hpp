@@ -1,5 +1,5 @@
-// What libc++ lacked before version 15 (Debian's Emscripten brings version 13) of the standard C++20 that Lustro uses. Included in front of every
-// source of the build for WebAssembly; with a newer Emscripten it is empty.
+// What libc++ lacked before version 15 (Debian's Emscripten brings version 13) of the standard C++20 that Lustro uses. Included in front of
+// every source of the build for WebAssembly; with a newer Emscripten it is empty.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 #if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 14000
 namespace std {
 template <class To, class From>
-  requires(sizeof(To) == sizeof(From) && is_trivially_copyable_v<To> && is_trivially_copyable_v<From>)
-[[nodiscard]] constexpr To bit_cast(const From& from) noexcept {
+requires(sizeof(To) == sizeof(From) && is_trivially_copyable_v<To> && is_trivially_copyable_v<From>) [[nodiscard]] constexpr To
+    bit_cast(const From& from) noexcept {
   return __builtin_bit_cast(To, from);
 }
 }  // namespace std
