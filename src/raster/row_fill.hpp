@@ -342,10 +342,10 @@ HWY_INLINE void keep_record(TileScratch& s, Record& t, const TriangleLanes& lane
   ++s.record_count;
 }
 
-/// Below this extent a triangle's box holds a sample of at most 2 x 2 pixels.
-inline constexpr std::int32_t kTinyExtent = 2 * kSubpixelUnits;
+/// Below this extent triangles are filled many at a time: together they cost less than each in vectors that it fills in part.
+inline constexpr std::int32_t kTinyExtent = 6 * kSubpixelUnits;
 
-/// Triangles of less than 2 x 2 pixels, one a lane: every lane looks at its own pixels. What it finds is merged lane by lane.
+/// Triangles below kTinyExtent, one a lane: every lane looks at the pixels of its own box. What it finds is merged lane by lane.
 struct TinyTriangles {
   Int x0, y0, x1, y1, x2, y2;  // after the swap
   Float key0, key1, key2, inverse_area;
@@ -363,6 +363,8 @@ inline HWY_NOINLINE void fill_tiny(const Canvas& c, const TinyTriangles& t, Mask
     return select((dy < Int(0)) | ((dy == Int(0)) & (dx > Int(0))), Int(0), Int(-1));
   };
   const Int bias0 = bias_of(dx0, dy0), bias1 = bias_of(dx1, dy1), bias2 = bias_of(dx2, dy2);
+  const Int right0 = dy0 << 8, right1 = dy1 << 8, right2 = dy2 << 8;  // a pixel to the right
+  const Int down0 = dx0 << 8, down1 = dx1 << 8, down2 = dx2 << 8;
   const Float farthest(c.frame.farthest);
   std::array<std::uint32_t, kLanes> records;
   std::uint32_t has_record = 0;
@@ -378,58 +380,54 @@ inline HWY_NOINLINE void fill_tiny(const Canvas& c, const TinyTriangles& t, Mask
     if (!any_of(holds)) {
       continue;
     }
-    const Mask is_wide = right_pixel > left_pixel;
-    const Mask is_high = bottom_pixel > top_pixel;
+    const Int columns = right_pixel - left_pixel;
+    const Int rows = bottom_pixel - top_pixel;
     const Int at = (top_pixel - Int(c.area.top)) * Int(static_cast<std::int32_t>(s.stride)) + (left_pixel - Int(c.area.left));
     const Int px = (left_pixel << 8) + Int(sample_x);
     const Int py = (top_pixel << 8) + Int(sample_y);
-    const Int first0 = dx0 * (py - t.y1) - dy0 * (px - t.x1);
-    const Int first1 = dx1 * (py - t.y2) - dy1 * (px - t.x2);
-    const Int first2 = dx2 * (py - t.y0) - dy2 * (px - t.x0);
-    for (int quarter = 0; quarter < 4; ++quarter) {
-      Mask here = holds;
-      Int e0 = first0, e1 = first1, e2 = first2;
-      if ((quarter & 1) != 0) {
-        here = here & is_wide;
-        e0 = e0 - (dy0 << 8);
-        e1 = e1 - (dy1 << 8);
-        e2 = e2 - (dy2 << 8);
-      }
-      if ((quarter & 2) != 0) {
-        here = here & is_high;
-        e0 = e0 + (dx0 << 8);
-        e1 = e1 + (dx1 << 8);
-        e2 = e2 + (dx2 << 8);
-      }
-      const Float key = (t.key0 + slope1 * to_float(e1)) + slope2 * to_float(e2);
-      here = here & !(((e0 + bias0) | (e1 + bias1) | (e2 + bias2)) < Int(0)) & (key >= farthest);
-      std::uint32_t left = mask_bits(here);
-      if (left == 0) {
-        continue;
-      }
-      alignas(64) std::array<float, kLanes> keys;
-      alignas(64) std::array<std::int32_t, kLanes> places;
-      store(keys.data(), key);
-      store(places.data(), at + Int(static_cast<std::int32_t>(sample * s.plane) + ((quarter & 1) != 0 ? 1 : 0)) +
-                               Int((quarter & 2) != 0 ? static_cast<std::int32_t>(s.stride) : 0));
-      for (; left != 0; left &= left - 1) {
-        const auto i = static_cast<std::size_t>(__builtin_ctz(left));
-        const auto place = static_cast<std::size_t>(places[i]);
-        const float old = s.depth_key[place];
-        if (keys[i] < old) {
+    Int row0 = dx0 * (py - t.y1) - dy0 * (px - t.x1);
+    Int row1 = dx1 * (py - t.y2) - dy1 * (px - t.x2);
+    Int row2 = dx2 * (py - t.y0) - dy2 * (px - t.x0);
+    Mask in_row = holds;
+    for (std::int32_t row = 0; any_of(in_row); in_row = in_row & (rows > Int(row)), ++row) {
+      Int e0 = row0, e1 = row1, e2 = row2;
+      Mask in_box = in_row;
+      for (std::int32_t column = 0; any_of(in_box); in_box = in_box & (columns > Int(column)), ++column) {
+        const Float key = (t.key0 + slope1 * to_float(e1)) + slope2 * to_float(e2);
+        const Mask here = in_box & !(((e0 + bias0) | (e1 + bias1) | (e2 + bias2)) < Int(0)) & (key >= farthest);
+        e0 = e0 - right0;
+        e1 = e1 - right1;
+        e2 = e2 - right2;
+        std::uint32_t left = mask_bits(here);
+        if (left == 0) {
           continue;
         }
-        if (keys[i] == old && s.records[s.winner[place]].id < source.instance.first_triangle + source.in_mesh(i)) {
-          continue;
+        alignas(64) std::array<float, kLanes> keys;
+        alignas(64) std::array<std::int32_t, kLanes> places;
+        store(keys.data(), key);
+        store(places.data(), at + Int(static_cast<std::int32_t>(sample * s.plane + static_cast<std::size_t>(row) * s.stride) + column));
+        for (; left != 0; left &= left - 1) {
+          const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+          const auto place = static_cast<std::size_t>(places[i]);
+          const float old = s.depth_key[place];
+          if (keys[i] < old) {
+            continue;
+          }
+          if (keys[i] == old && s.records[s.winner[place]].id < source.instance.first_triangle + source.in_mesh(i)) {
+            continue;
+          }
+          if ((has_record >> i & 1) == 0) {
+            has_record |= 1U << i;
+            records[i] = static_cast<std::uint32_t>(s.record_count);
+            keep_record(s, begin_record(s, lanes, source, i), lanes, source, i);
+          }
+          s.depth_key[place] = keys[i];
+          s.winner[place] = records[i];
         }
-        if ((has_record >> i & 1) == 0) {
-          has_record |= 1U << i;
-          records[i] = static_cast<std::uint32_t>(s.record_count);
-          keep_record(s, begin_record(s, lanes, source, i), lanes, source, i);
-        }
-        s.depth_key[place] = keys[i];
-        s.winner[place] = records[i];
       }
+      row0 = row0 + down0;
+      row1 = row1 + down1;
+      row2 = row2 + down2;
     }
   }
 }

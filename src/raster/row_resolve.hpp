@@ -100,7 +100,7 @@ inline HWY_NOINLINE void sort_by_material(const Frame& frame, TileScratch& s, Ti
   }
 }
 
-/// Shades the fragments in runs of one material: shade(instance, material, begin, count).
+/// Shades the fragments in runs of one material.
 template <class Shade>
 HWY_INLINE void shade_runs(const Frame& frame, TileScratch& s, TileScratch::Fragments& fragments, std::uint32_t* place, Shade&& shade) {
   const auto material_at = [&](std::size_t i) { return s.records[fragments.record[i]].material; };
@@ -124,7 +124,7 @@ HWY_INLINE void shade_runs(const Frame& frame, TileScratch& s, TileScratch::Frag
       ++end;
     }
     const Instance& instance = frame.scene->instances[frame.material_instance[material]];
-    shade(instance, frame.scene->materials[material], i, end - i);
+    shade(Run{frame, s, fragments, instance, frame.scene->materials[material], i, end - i});
     i = end;
   }
 }
@@ -210,12 +210,7 @@ inline void resolve(const Shader& shader, const WaitingPixel& waiting) {
 
 inline HWY_NOINLINE void flush_parts(Shader& shader) {
   TileScratch& s = shader.s;
-  shade_runs(shader.frame, s, s.parts, s.part_place.data(),
-             [&](const Instance& instance, const ShadingMaterial& material, std::size_t begin, std::size_t count) {
-               for (std::size_t i = 0; i < count; i += kLanes) {
-                 shade_parts(shader.frame, s, instance, material, begin + i, count - i < kLanes ? count - i : kLanes);
-               }
-             });
+  shade_runs(shader.frame, s, s.parts, s.part_place.data(), shade_parts);
   for (std::size_t i = 0; i < shader.pixels; ++i) {
     resolve(shader, shader.waiting[i]);
   }
@@ -224,9 +219,7 @@ inline HWY_NOINLINE void flush_parts(Shader& shader) {
 }
 
 inline HWY_NOINLINE void flush_whole(const Frame& frame, TileScratch& s) {
-  shade_runs(frame, s, s.whole, nullptr, [&](const Instance& instance, const ShadingMaterial& material, std::size_t begin, std::size_t count) {
-    shade_whole(frame, s, instance, material, begin, count);
-  });
+  shade_runs(frame, s, s.whole, nullptr, shade_whole);
   s.pixels_covered += s.whole.count;
   s.whole.count = 0;
 }

@@ -311,54 +311,6 @@ HWY_INLINE Vec3<Float> add_fog(const ShadingFog& fog, const Vec3<Float>& positio
   return vec_cast<Float>(fog.color) * (Float(1) - clear);
 }
 
-/// Parts of pixels: everything that is known of them goes into the outputs, at their places.
-inline HWY_NOINLINE void shade_parts(const Frame& frame, TileScratch& s, const Instance& instance, const ShadingMaterial& material,
-                                     std::size_t begin, std::size_t count) {
-  const PreparedScene& scene = *frame.scene;
-  const Batch batch = make_batch(frame, s, s.parts, instance, material, begin, count);
-  const OutputSlot out{s, begin};
-  for (std::size_t i = 0; frame.wants_lights && i < scene.lights.size(); ++i) {
-    out.put_light(i, {});  // which is what a material brings that no light reaches
-  }
-  Shaded shaded;
-  switch (scene.shading.interpolation) {
-    case Interpolation::flat:
-      shaded = shade_flat(batch.faces, frame.wants_lights, out);
-      break;
-    case Interpolation::gouraud:
-      shaded = shade_gouraud(batch.faces, batch.at.weights, frame.wants_lights, out);
-      break;
-    case Interpolation::phong:
-      shaded = shade_phong(batch, [&](std::size_t i, const Vec3<Float>& part) {
-        if (frame.wants_lights) {
-          out.put_light(i, part);
-        }
-      });
-      break;
-  }
-  Vec3<Float> fog{};
-  if (scene.fog) {
-    Float clear;
-    fog = add_fog(*scene.fog, batch.position, shaded.terms, clear);
-    shaded.scene_part = shaded.scene_part * clear;
-    for (std::size_t i = 0; frame.wants_lights && i < scene.lights.size(); ++i) {
-      out.put_light(i, out.get_light(i) * clear);
-    }
-  }
-  const Terms<Float>& t = shaded.terms;
-  store_transposed({t.ambient.x, t.ambient.y, t.ambient.z, t.diffuse.x, t.diffuse.y, t.diffuse.z, t.specular.x, t.specular.y, t.specular.z,
-                    t.emission.x, t.emission.y, t.emission.z, fog.x, fog.y, fog.z, Float(0)},
-                   &s.part_terms[begin * TileScratch::terms]);
-  if (frame.wants_all) {
-    out.put(TileScratch::scene_part, shaded.scene_part);
-    out.put(TileScratch::albedo, vec_cast<Float>(material.albedo) * batch.faces.tint(batch.at.weights));
-    out.put(TileScratch::normal, batch.normal);
-    out.put(TileScratch::position, batch.position);
-    out.put(TileScratch::weights, Vec3<Float>{batch.at.weights[0], batch.at.weights[1], batch.at.weights[2]});
-    out.put(TileScratch::depth, batch.at.depth);
-  }
-}
-
 /// image/store.cpp for lanes: the bytes of opaque pixels, alpha the highest. The table is read lane by lane: gathers cost more.
 HWY_INLINE void store_words(const Frame& frame, const Vec3<Float>& rgb, std::uint32_t* words) {
   const Int opaque(static_cast<std::int32_t>(0xFF000000U));
@@ -377,9 +329,9 @@ HWY_INLINE void store_words(const Frame& frame, const Vec3<Float>& rgb, std::uin
 
 /// Fragments on their way through shading, a stage at a time. Each stage is a short loop, so that the processor works at several of its vectors
 /// at once, and the compiler keeps what all of them need in registers.
+inline constexpr std::size_t kStrip = 128;
 struct Strip {
-  static constexpr std::size_t kRoom = 128;
-  using Rows = std::array<std::array<float, kRoom>, 3>;
+  using Rows = std::array<std::array<float, kStrip>, 3>;
   alignas(64) Rows position, normal, to_eye, tint, color;
 
   HWY_INLINE static void put(Rows& rows, std::size_t i, const Vec3<Float>& value) {
@@ -403,21 +355,29 @@ HWY_INLINE Vec3<Float> sum_whole(const PreparedScene& scene, const Vec3<Float>& 
   return (sums.sum() + (zero + fog)) + Vec3<Float>{Float(back[0] * 0.0F), Float(back[1] * 0.0F), Float(back[2] * 0.0F)};
 }
 
-/// Fragments and where they begin and end in TileScratch::whole.
-struct WholeRun {
+/// Fragments of one material in a row.
+struct Run {
   const Frame& frame;
   TileScratch& s;
+  const TileScratch::Fragments& fragments;
   const Instance& instance;
   const ShadingMaterial& material;
   std::size_t begin, count;
 
   [[nodiscard]] HWY_INLINE Batch batch(std::size_t i) const {
-    return make_batch(frame, s, s.whole, instance, material, begin + i, count - i < kLanes ? count - i : kLanes);
+    return make_batch(frame, s, fragments, instance, material, begin + i, count - i < kLanes ? count - i : kLanes);
+  }
+  /// Strip by strip.
+  template <class Shade>
+  void in_strips(Shade&& shade) const {
+    for (std::size_t i = 0; i < count; i += kStrip) {
+      shade(Run{frame, s, fragments, instance, material, begin + i, count - i < kStrip ? count - i : kStrip});
+    }
   }
 };
 
 /// What the equation asks for at each point, for Phong interpolation.
-inline HWY_NOINLINE void make_surfaces(const WholeRun& run, Strip& strip) {
+inline HWY_NOINLINE void make_surfaces(const Run& run, Strip& strip) {
   const bool has_tint = !run.instance.drawable->colors.empty();
   for (std::size_t i = 0; i < run.count; i += kLanes) {
     const Batch batch = run.batch(i);
@@ -430,7 +390,9 @@ inline HWY_NOINLINE void make_surfaces(const WholeRun& run, Strip& strip) {
   }
 }
 
-inline HWY_NOINLINE void light_surfaces(const WholeRun& run, Strip& strip) {
+/// The equation at the strip's points: visit(i, position, terms) for every vector of them.
+template <class Visit>
+HWY_INLINE void light_surfaces(const Run& run, const Strip& strip, Visit&& visit) {
   const PreparedScene& scene = *run.frame.scene;
   const ShadingMaterial& material = run.material;
   const bool has_tint = !run.instance.drawable->colors.empty();
@@ -449,12 +411,35 @@ inline HWY_NOINLINE void light_surfaces(const WholeRun& run, Strip& strip) {
           [reflections](std::size_t l) -> const Reflection<float>& { return reflections[l]; },
           [](std::size_t, const Incident<Float>&, const LightTerms<Float>&) {});
     }
-    Strip::put(strip.color, i, sum_whole(scene, surface.position, terms));
+    visit(i, surface.position, terms);
   }
 }
 
+inline HWY_NOINLINE void light_whole(const Run& run, Strip& strip) {
+  light_surfaces(run, strip, [&](std::size_t i, const Vec3<Float>& position, Terms<Float>& terms) {
+    Strip::put(strip.color, i, sum_whole(*run.frame.scene, position, terms));
+  });
+}
+
+HWY_INLINE void store_terms(TileScratch& s, std::size_t at, const Terms<Float>& t, const Vec3<Float>& fog) {
+  store_transposed({t.ambient.x, t.ambient.y, t.ambient.z, t.diffuse.x, t.diffuse.y, t.diffuse.z, t.specular.x, t.specular.y, t.specular.z,
+                    t.emission.x, t.emission.y, t.emission.z, fog.x, fog.y, fog.z, Float(0)},
+                   &s.part_terms[at * TileScratch::terms]);
+}
+
+inline HWY_NOINLINE void light_parts(const Run& run, const Strip& strip) {
+  light_surfaces(run, strip, [&](std::size_t i, const Vec3<Float>& position, Terms<Float>& terms) {
+    Vec3<Float> fog{};
+    if (run.frame.scene->fog) {
+      Float clear;
+      fog = add_fog(*run.frame.scene->fog, position, terms, clear);
+    }
+    store_terms(run.s, run.begin + i, terms, fog);
+  });
+}
+
 /// Flat and Gouraud interpolation light faces and their vertices.
-inline HWY_NOINLINE void light_faces(const WholeRun& run, Strip& strip) {
+inline HWY_NOINLINE void light_faces(const Run& run, Strip& strip) {
   const PreparedScene& scene = *run.frame.scene;
   for (std::size_t i = 0; i < run.count; i += kLanes) {
     const Batch batch = run.batch(i);
@@ -465,7 +450,7 @@ inline HWY_NOINLINE void light_faces(const WholeRun& run, Strip& strip) {
   }
 }
 
-inline HWY_NOINLINE void store_pixels(const WholeRun& run, const Strip& strip) {
+inline HWY_NOINLINE void store_pixels(const Run& run, const Strip& strip) {
   const Frame& frame = run.frame;
   const TileScratch& s = run.s;
   const TileArea& area = s.area;
@@ -473,8 +458,8 @@ inline HWY_NOINLINE void store_pixels(const WholeRun& run, const Strip& strip) {
   const std::size_t first = static_cast<std::size_t>(area.top) * width + static_cast<std::size_t>(area.left);
   const float alpha = 1.0F + frame.scene->background[3] * 0.0F;
   for (std::size_t i = 0; i < run.count; i += kLanes) {
-    const Int column = (load(&s.whole.x[run.begin + i]) >> 8) - Int(area.left);
-    const Int row = (load(&s.whole.y[run.begin + i]) >> 8) - Int(area.top);
+    const Int column = (load(&run.fragments.x[run.begin + i]) >> 8) - Int(area.left);
+    const Int row = (load(&run.fragments.y[run.begin + i]) >> 8) - Int(area.top);
     alignas(64) std::array<std::uint32_t, kLanes> places, words;  // from the tile's first pixel on
     store(places.data(), row * Int(frame.scene->view.width) + column);
     const std::size_t count = run.count - i < kLanes ? run.count - i : kLanes;
@@ -493,20 +478,79 @@ inline HWY_NOINLINE void store_pixels(const WholeRun& run, const Strip& strip) {
   }
 }
 
-/// Fragments that are all of their pixels: lit, summed and stored.
-inline void shade_whole(const Frame& frame, TileScratch& s, const Instance& instance, const ShadingMaterial& material, std::size_t begin,
-                        std::size_t count) {
+/// Everything that layers may ask for, of any interpolation.
+inline HWY_NOINLINE void shade_all(const Run& run, std::size_t i) {
+  const Frame& frame = run.frame;
+  TileScratch& s = run.s;
+  const PreparedScene& scene = *frame.scene;
+  const Batch batch = run.batch(i);
+  const OutputSlot out{s, run.begin + i};
+  for (std::size_t l = 0; frame.wants_lights && l < scene.lights.size(); ++l) {
+    out.put_light(l, {});  // which is what a material brings that no light reaches
+  }
+  Shaded shaded;
+  switch (scene.shading.interpolation) {
+    case Interpolation::flat:
+      shaded = shade_flat(batch.faces, frame.wants_lights, out);
+      break;
+    case Interpolation::gouraud:
+      shaded = shade_gouraud(batch.faces, batch.at.weights, frame.wants_lights, out);
+      break;
+    case Interpolation::phong:
+      shaded = shade_phong(batch, [&](std::size_t l, const Vec3<Float>& part) {
+        if (frame.wants_lights) {
+          out.put_light(l, part);
+        }
+      });
+      break;
+  }
+  Vec3<Float> fog{};
+  if (scene.fog) {
+    Float clear;
+    fog = add_fog(*scene.fog, batch.position, shaded.terms, clear);
+    shaded.scene_part = shaded.scene_part * clear;
+    for (std::size_t l = 0; frame.wants_lights && l < scene.lights.size(); ++l) {
+      out.put_light(l, out.get_light(l) * clear);
+    }
+  }
+  store_terms(s, run.begin + i, shaded.terms, fog);
+  if (frame.wants_all) {
+    out.put(TileScratch::scene_part, shaded.scene_part);
+    out.put(TileScratch::albedo, vec_cast<Float>(run.material.albedo) * batch.faces.tint(batch.at.weights));
+    out.put(TileScratch::normal, batch.normal);
+    out.put(TileScratch::position, batch.position);
+    out.put(TileScratch::weights, Vec3<Float>{batch.at.weights[0], batch.at.weights[1], batch.at.weights[2]});
+    out.put(TileScratch::depth, batch.at.depth);
+  }
+}
+
+/// Parts of pixels: what is known of them goes into the outputs, at their places.
+inline void shade_parts(const Run& all) {
+  if (all.frame.scene->shading.interpolation != Interpolation::phong || all.frame.wants_all) {
+    for (std::size_t i = 0; i < all.count; i += kLanes) {
+      shade_all(all, i);
+    }
+    return;
+  }
   Strip strip;
-  for (std::size_t i = 0; i < count; i += Strip::kRoom) {
-    const WholeRun run{frame, s, instance, material, begin + i, count - i < Strip::kRoom ? count - i : Strip::kRoom};
-    if (frame.scene->shading.interpolation == Interpolation::phong) {
+  all.in_strips([&](const Run& run) {
+    make_surfaces(run, strip);
+    light_parts(run, strip);
+  });
+}
+
+/// Fragments that are all of their pixels: lit, summed and stored.
+inline void shade_whole(const Run& all) {
+  Strip strip;
+  all.in_strips([&](const Run& run) {
+    if (run.frame.scene->shading.interpolation == Interpolation::phong) {
       make_surfaces(run, strip);
-      light_surfaces(run, strip);
+      light_whole(run, strip);
     } else {
       light_faces(run, strip);
     }
     store_pixels(run, strip);
-  }
+  });
 }
 
 }  // namespace lustro::HWY_NAMESPACE
