@@ -191,7 +191,7 @@ void sort_roughly(const Mesh& mesh, std::uint32_t first, std::span<std::uint32_t
   const float scale = size > 0 ? static_cast<float>(kCells) / size : 0;
   constexpr auto kLast = static_cast<float>(kCells - 1);
   const auto cell = [scale, kLast](float p, float low) { return static_cast<std::uint32_t>(std::min(kLast, (p - low) * scale)); };  // NaN: kLast
-  std::array<std::uint16_t, kStretch> codes;
+  std::array<std::uint16_t, kStretch> codes{};
   std::array<std::uint32_t, kCells * kCells * kCells + 1> begin{};
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const Vec3f p = place_of(triangles[i]);
