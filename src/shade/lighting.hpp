@@ -152,20 +152,21 @@ float lobe_normalization(float n) {
 /// spec, gated: 0 where N.L <= 0.
 template <Lighting model, class F>
 LUSTRO_INLINE F specular_factor(const Surface<F>& s, const Exponent& shininess, const Vec3<F>& to_light, const F& n_dot_l, bool normalized) {
-  if (!any_of(n_dot_l > F(0))) {
-    return F(0);  // what the gate below would say, without the power
-  }
   F cosine;
   if constexpr (model == Lighting::phong) {
     cosine = r_dot_v(s, to_light);
   } else {
     cosine = n_dot_h(s, to_light);
   }
+  const auto is_lit = n_dot_l > F(0);
+  if (!any_of(is_lit)) {
+    return F(0);  // without the power
+  }
   F spec = power(lane_max(cosine, F(0)), shininess);
   if (normalized) {
     spec = spec * (F(lobe_normalization<model>(shininess.n)) * n_dot_l);
   }
-  return select(n_dot_l > F(0), spec, F(0));
+  return select(is_lit, spec, F(0));
 }
 
 /// What a material reflects of a light at full strength, k_a l_a, k_d l_d and k_s l_s. K is F, or float where it is the same in all lanes.
