@@ -301,7 +301,7 @@ HWY_INLINE void store_patch(std::uint32_t* p, std::size_t stride, Int a) { store
 
 /// N doubles: room for products of image coordinates, which stay exact below 2^53. narrow() rounds to the nearest float, as a conversion of the
 /// whole number to float does.
-#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_WASM  // one lane has no halves; Highway 1.0 has no doubles for WebAssembly
+#if HWY_TARGET == HWY_SCALAR  // one lane has no halves
 struct Wide {
   double d[kLanes];
 };
@@ -328,6 +328,22 @@ HWY_INLINE Float narrow(const Wide& a) {
     lanes[i] = static_cast<float>(a.d[i]);
   }
   return load(lanes);
+}
+#elif HWY_TARGET == HWY_WASM  // Highway 1.0 has no doubles for WebAssembly; the compiler has
+struct Wide {
+  v128_t low, high;
+};
+HWY_INLINE Wide widen(Int a) {
+  return {wasm_f64x2_convert_low_i32x4(a.v.raw), wasm_f64x2_convert_low_i32x4(wasm_i32x4_shuffle(a.v.raw, a.v.raw, 2, 3, 2, 3))};
+}
+HWY_INLINE Wide wide(double x) { return {wasm_f64x2_splat(x), wasm_f64x2_splat(x)}; }
+HWY_INLINE Wide operator+(Wide a, Wide b) { return {wasm_f64x2_add(a.low, b.low), wasm_f64x2_add(a.high, b.high)}; }
+HWY_INLINE Wide operator-(Wide a, Wide b) { return {wasm_f64x2_sub(a.low, b.low), wasm_f64x2_sub(a.high, b.high)}; }
+HWY_INLINE Wide operator*(Wide a, Wide b) { return {wasm_f64x2_mul(a.low, b.low), wasm_f64x2_mul(a.high, b.high)}; }
+HWY_INLINE Float narrow(Wide a) {
+  const v128_t low = wasm_f32x4_demote_f64x2_zero(a.low);
+  const v128_t high = wasm_f32x4_demote_f64x2_zero(a.high);
+  return hn::Vec<FloatTag>{wasm_i32x4_shuffle(low, high, 0, 1, 4, 5)};
 }
 #else
 using DoubleTag = hn::Repartition<double, FloatTag>;  // half as many lanes
