@@ -141,7 +141,7 @@ LUSTRO_INLINE F n_dot_h(const Surface<F>& s, const Vec3<F>& to_light) {
 ///   phong        (n + 2) / 2                            Lafortune and Willems 1994, times pi for classic units
 ///   blinn-phong  (n + 2) (n + 4) / (8 (2^(-n/2) + n))   exact at normal incidence, times pi
 template <Lighting model>
-float lobe_normalization(float n) {
+LUSTRO_INLINE float lobe_normalization(float n) {
   if constexpr (model == Lighting::phong) {
     return (n + 2.0F) * 0.5F;
   } else {
