@@ -69,6 +69,15 @@ Result<SourceMesh> load_obj(std::string_view bytes, const fs::path& file, const 
   return parse_obj(bytes, file.string(), obj);
 }
 
+/// By hand, because tl::expected's own conversion leaks: it makes a default value first and constructs over it.
+template <class Read>
+Result<ReadMesh> as_read_mesh(Result<Read> mesh) {
+  if (!mesh) {
+    return tl::unexpected(std::move(mesh).error());
+  }
+  return *std::move(mesh);
+}
+
 Result<ReadMesh> load(const fs::path& file, const LoadOptions& options, bool for_drawing) {
   const Result<ByteSource> source = ByteSource::open(file);
   if (!source) {
@@ -90,11 +99,11 @@ Result<ReadMesh> load(const fs::path& file, const LoadOptions& options, bool for
   format = format == MeshFormat::unknown ? mesh_format_of_name(file) : format;
   switch (format) {
     case MeshFormat::obj:
-      return load_obj(bytes, file, options);
+      return as_read_mesh(load_obj(bytes, file, options));
     case MeshFormat::ply:
-      return parse_any_ply(bytes, name);
+      return as_read_mesh(parse_any_ply(bytes, name));
     case MeshFormat::stl:
-      return parse_stl(bytes, name, options.threads);
+      return as_read_mesh(parse_stl(bytes, name, options.threads));
     case MeshFormat::gltf:
     case MeshFormat::glb:
       return fail(ErrorKind::unsupported, name, "is a glTF file, which is not read yet: expected OBJ, PLY or STL");
