@@ -192,8 +192,8 @@ HWY_INLINE void store_quads(Int a, Int b, Int c, Int d, std::int32_t* out) {
 /// list[index] of every lane.
 HWY_INLINE Vec3<Float> gather(const std::vector<Vec3f>& list, Int index) {
   const float* f = &list.data()->x;
-  alignas(64) std::array<std::uint32_t, kLanes> lanes;
-  store(lanes.data(), index);
+  alignas(64) std::uint32_t lanes[kLanes];
+  store(lanes, index);
   // Four words are loaded where three stand: not behind the last vector.
   if (HWY_UNLIKELY(kLanes == 1 || any_of(index == Int(static_cast<std::int32_t>(list.size() - 1))))) {
     const Int i = index + index + index;
