@@ -63,7 +63,7 @@ void lighting_of_points(benchmark::State& state) {
   light.diffuse = light.specular = {0.25F, 0.25F, 0.25F};
   const std::vector<ShadingLight> lights(3, light);
   const auto lit = [&](const Surface<float>& s) {
-    return light_surface<Lighting::phong>(s, material, Vec3f{1, 1, 1}, lights, false, [](auto&&...) {}).sum();
+    return light_surface(Lighting::phong, s, material, Vec3f{1, 1, 1}, lights, false, [](auto&&...) {}).sum();
   };
   if (std::abs(lit(ahead).x - (0.1F + 3 * 0.25F * (0.5F + 0.4F))) > 1e-6F) {  // light, eye and normal are one direction
     state.SkipWithError("the lighting equation is not what it is on paper");
