@@ -1,7 +1,7 @@
 # The rows of kernels: src/raster/row.cpp once for each instruction set of this processor family, with Highway's vectors fixed to it.
 #
 # A row's object may not leak inline functions to the rest of the program, or a machine without its instructions could run them:
-# scripts/check_rows looks for that.
+# scripts/check_image_path looks for that.
 set(lustro_row_objects "")
 set(lustro_row_flags_scalar -DHWY_COMPILE_ONLY_SCALAR)
 set(lustro_row_flags_sse4 -msse4.2 -mpclmul -maes)
@@ -18,6 +18,10 @@ elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")
   set(lustro_rows scalar neon)
 else()
   set(lustro_rows scalar)
+endif()
+set(LUSTRO_ROWS "" CACHE STRING "The rows to build, where a build shall be quick; empty: all of the processor's")
+if(LUSTRO_ROWS)
+  set(lustro_rows ${LUSTRO_ROWS})
 endif()
 
 foreach(row IN LISTS lustro_rows)
