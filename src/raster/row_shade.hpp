@@ -311,7 +311,7 @@ HWY_INLINE Vec3<Float> add_fog(const ShadingFog& fog, const Vec3<Float>& positio
   return vec_cast<Float>(fog.color) * (Float(1) - clear);
 }
 
-/// image/store.cpp for lanes: the bytes of opaque pixels, alpha the highest. The table is read lane by lane: gathers cost more.
+/// image/store.cpp for lanes: the bytes of opaque pixels, alpha the highest.
 HWY_INLINE void store_words(const Frame& frame, const Vec3<Float>& rgb, std::uint32_t* words) {
   const Int opaque(static_cast<std::int32_t>(0xFF000000U));
   if (frame.srgb == nullptr) {
@@ -327,9 +327,10 @@ HWY_INLINE void store_words(const Frame& frame, const Vec3<Float>& rgb, std::uin
   store(words, (byte_of(rgb.x) | byte_of(rgb.y) << 8) | (byte_of(rgb.z) << 16 | opaque));
 }
 
+inline constexpr std::size_t kStrip = 128;  ///< fragments
+
 /// Fragments on their way through shading, a stage at a time. Each stage is a short loop, so that the processor works at several of its vectors
 /// at once, and the compiler keeps what all of them need in registers.
-inline constexpr std::size_t kStrip = 128;
 struct Strip {
   using Rows = std::array<std::array<float, kStrip>, 3>;
   alignas(64) Rows position, normal, to_eye, tint, color;

@@ -1,44 +1,13 @@
 // What a header claims takes no memory: every allocation of this program is counted.
-#include <atomic>
-#include <cstdlib>
-#include <new>
 #include <string>
 
+#include "allocation_hooks.hpp"
 #include "io/obj.hpp"
 #include "io/ply.hpp"
 #include "io/stl.hpp"
 #include "io_testing.hpp"
 
-#if defined(__has_feature)
-#if __has_feature(thread_sanitizer)
-#define LUSTRO_HOOKS_ARE_TAKEN  // the thread sanitizer brings its own
-#endif
-#endif
 #ifndef LUSTRO_HOOKS_ARE_TAKEN
-
-namespace {
-std::atomic<std::size_t> allocated_bytes{0};
-}  // namespace
-
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wmismatched-new-delete"  // sees free() inside delete, but not malloc() inside new
-#endif
-
-// The language's own hooks: the only way to see reservations that are never touched.
-void* operator new(std::size_t size) {
-  allocated_bytes += size;
-  void* memory = std::malloc(size == 0 ? 1 : size);
-  if (memory == nullptr) {
-    throw std::bad_alloc();
-  }
-  return memory;
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 namespace lustro {
 namespace {
