@@ -8,5 +8,6 @@
 #include "lustro/render.hpp"
 #include "lustro/result.hpp"
 #include "lustro/scene.hpp"
+#include "lustro/texture.hpp"
 #include "lustro/vec.hpp"
 #include "lustro/version.hpp"

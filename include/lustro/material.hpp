@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lustro/options.hpp"
+#include "lustro/texture.hpp"
 #include "lustro/vec.hpp"
 
 namespace lustro {
@@ -18,7 +19,7 @@ struct Color {
   friend bool operator==(const Color&, const Color&) = default;
 };
 
-/// One map statement of an MTL file with all its options (Ramey, Rose, Tyerman), kept as written. Sampling is not done yet.
+/// One map statement of an MTL file with all its options (Ramey, Rose, Tyerman), kept as written.
 struct TextureMap {
   std::string statement{};  ///< as written: map_Kd, bump, refl, ...
   std::string file{};       ///< as written, relative to the MTL file
@@ -51,6 +52,8 @@ struct Material {
   bool halo = false;                  ///< d -halo
   std::optional<int> illumination{};  ///< illum 0..10
   std::vector<TextureMap> maps{};
+
+  MaterialTextures textures{};  ///< what varies over the surface
 
   friend bool operator==(const Material&, const Material&) = default;
 };

@@ -60,10 +60,13 @@ struct SourceMesh {
 /// Indexed triangles with everything that drawing needs. One vertex has one position, normal, uv and colour: where faces do not
 /// share a normal (crease, smoothing groups), the vertex is there twice.
 struct Mesh {
-  std::vector<Vec3f> positions;                         ///< V x 3, object space, finite
-  std::vector<Vec3f> normals;                           ///< V x 3, unit; empty: prepare() makes them by the scene's `vertex_normals`
-  std::vector<Vec2f> uvs;                               ///< V x 2 or empty
-  std::vector<Vec3f> colors;                            ///< V x 3 or empty; `encoded`; multiply ambient and diffuse
+  std::vector<Vec3f> positions;                ///< V x 3, object space, finite
+  std::vector<Vec3f> normals;                  ///< V x 3, unit; empty: prepare() makes them by the scene's `vertex_normals`
+  std::vector<Vec2f> uvs;                      ///< V x 2 or empty: the set that textures use unless they say otherwise
+  std::vector<Vec2f> uvs1;                     ///< V x 2 or empty: a second set
+  std::vector<std::array<float, 4>> tangents;  ///< V x 4 or empty: unit tangent of `uvs` and the sign of the bitangent, as glTF has them
+  std::vector<Vec3f> colors;                   ///< V x 3 or empty; `encoded`; multiply ambient and diffuse
+  std::vector<float> alphas;                   ///< V or empty; multiply the opacity
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< T, counter-clockwise seen from the front
   std::vector<std::uint32_t> triangle_material;         ///< T or empty (all 0); an index into materials
   std::vector<Material> materials;                      ///< empty: the default material
