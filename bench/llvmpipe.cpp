@@ -266,6 +266,7 @@ int compare(const Subject& subject, int samples, double seconds) {
   int status = 0;
   for (const bool culls : {false, true}) {
     const std::string key = key_of(subject, samples, culls);
+    ours.cull(culls);
     std::string check;
     Shaders best = Shaders::mirror;
     if (!choose(peer, ours, culls, key, samples, check, best)) {

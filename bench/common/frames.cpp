@@ -12,6 +12,11 @@ OurFrames::OurFrames(const Subject& subject, Scene scene, int threads) : subject
   options_.store_bytes = true;
 }
 
+void OurFrames::cull(bool culls) {
+  scene_.shading.cull = culls ? Culling::back : Culling::none;
+  scene_.shading.two_sided = !culls;
+}
+
 const Rendering& OurFrames::draw(int i) {
   scene_.objects.front().matrix = turned(subject_, i);
   if (const Result<void> drawn = renderer_.render(scene_, options_, picture_); !drawn) {

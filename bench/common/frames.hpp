@@ -10,6 +10,8 @@ namespace lustro::bench {
 class OurFrames {
  public:
   OurFrames(const Subject& subject, Scene scene, int threads = 0);
+  /// Leaves out the faces that look away, or lights both sides.
+  void cull(bool culls);
   /// Frame `i` of the turn.
   const Rendering& draw(int i);
 

@@ -30,6 +30,9 @@ enum class NormalInterpolation : std::uint8_t {
 /// How missing vertex normals are made from the faces around a vertex.
 enum class VertexNormals : std::uint8_t { uniform, area, angle };
 
+/// Which side of a face is not drawn. The side that is seen is decided by the winding on the image, as for `two_sided`.
+enum class Culling : std::uint8_t { none, back, front };
+
 /// What is stored for a linear value.
 enum class Transfer : std::uint8_t {
   none,  ///< the value itself

@@ -52,7 +52,8 @@ struct Shading {
   bool recompute_normals = false;
   TermSet terms{};
   bool two_sided = false;
-  bool normalized = false;  ///< energy-normalised specular lobes, times N.L
+  Culling cull = Culling::none;  ///< faces of which this side is seen are left out
+  bool normalized = false;       ///< energy-normalised specular lobes, times N.L
 };
 
 /// The key `attenuation` of a light.

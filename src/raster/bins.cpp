@@ -1,4 +1,5 @@
-// Culling by bounding boxes: the box's image coordinates as intervals, a little wider than what rounding can move a vertex.
+// Culling by bounding boxes and normal cones: the box's image coordinates as intervals, a little wider than what rounding can move a vertex; and
+// faces that look away by more than snapping to the image's grid can turn them.
 #include "raster/bins.hpp"
 
 #include <algorithm>
@@ -15,6 +16,9 @@ constexpr std::size_t kStretch = 512;  // clusters that one job looks at
 
 struct Interval {
   float low, high;
+  float slack = 0;  // of it what rounding may add
+
+  [[nodiscard]] float largest() const { return std::max(std::abs(low), std::abs(high)); }
 };
 
 /// One row of an affine transform over a box; `slack` bounds what rounding adds.
@@ -23,7 +27,7 @@ Interval transform(const float* row, const Vec3f& center, const Vec3f& extent) {
   const float reach = (std::abs(row[0]) * extent.x + std::abs(row[1]) * extent.y) + std::abs(row[2]) * extent.z;
   const float size = ((std::abs(row[0] * center.x) + std::abs(row[1] * center.y)) + std::abs(row[2] * center.z)) + std::abs(row[3]);
   const float slack = 1e-6F * (size + reach);
-  return {middle - (reach + slack), middle + (reach + slack)};
+  return {middle - (reach + slack), middle + (reach + slack), slack};
 }
 
 /// What a cluster is to the picture.
@@ -33,7 +37,57 @@ struct Sight {
   VisibleCluster cluster;
 };
 
-Sight look_at(const Frame& frame, const Instance& instance, const Cluster& cluster) {
+/// Whether the image shows every triangle of the cluster from the side that is not drawn.
+///
+/// Which side is seen is decided by the corners on the image's grid (reference/triangle.cpp), so the cone alone does not say it: a triangle
+/// that is thinner there than corners are moved may turn over. A triangle of altitude h whose normal and line of sight enclose an angle of
+/// cosine c has an altitude of at least p h c near^2 / (far^3 k) pixels, with p the pixels of a unit at distance 1 and k the most that
+/// looking askance stretches an edge; it keeps its side if that is more than twice what a corner is moved by.
+///
+/// blur  what rounding may move a corner by, pixels
+bool looks_away(const PreparedScene& scene, const Instance& instance, const Cluster& cluster, const NormalCone& cone, const Interval& depth,
+                float widest_x, float widest_y, float blur) {
+  const View& view = scene.view;
+  constexpr double kCosine = 0.1;
+  const bool is_perspective = view.projection == Projection::perspective;
+  const Vec3d lower = vec_cast<double>(cluster.lower);
+  const Vec3d upper = vec_cast<double>(cluster.upper);
+  const Vec3d sight = is_perspective ? (lower + upper) * 0.5 - instance.eye : instance.eye;
+  const double distance = length(sight);
+  const double radius = is_perspective ? length(upper - lower) * 0.5 : 0;
+  if (!(distance > radius) || !(cone.cosine > 0)) {
+    return false;
+  }
+  // The angles between the cone's axis and the sight, of the cone, and of the ball around the box as the eye sees it: cosine and sine of the
+  // sum.
+  double cosine = (scene.shading.cull == Culling::back ? 1 : -1) * dot(vec_cast<double>(cone.axis), sight) / distance;
+  double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+  const auto widen = [&](double c, double s) {
+    const double sum = cosine * c - sine * s;
+    sine = sine * c + cosine * s;
+    cosine = sum;
+    return cosine > kCosine;
+  };
+  const auto rest = [](double v) { return std::sqrt(std::max(0.0, 1 - v * v)); };
+  const double cone_cosine = cone.cosine;
+  if (!(cosine > kCosine) || !widen(cone_cosine, rest(cone_cosine)) || !widen(rest(radius / distance), radius / distance)) {
+    return false;
+  }
+  const float* row = instance.image_from_object.m.data();
+  const double pixels = std::sqrt(double{row[0]} * double{row[0]} + double{row[1]} * double{row[1]} + double{row[2]} * double{row[2]});
+  double altitude = pixels * double{cone.thinnest} * kCosine;
+  if (is_perspective) {
+    const double near = depth.low;
+    const double far = depth.high;
+    const double x = double{widest_x} / view.pixels_per_unit;
+    const double y = double{widest_y} / view.pixels_per_unit;
+    altitude *= near * near / (far * far * far * std::sqrt(1 + x * x + y * y));
+  }
+  constexpr double kSnapping = 0.003;  // half a step of the grid in x and in y: 2^0.5 / 512
+  return altitude > 2 * (kSnapping + double{blur}) * 1.01;
+}
+
+Sight look_at(const Frame& frame, const Instance& instance, const Cluster& cluster, const NormalCone* cone) {
   const View& view = frame.scene->view;
   const Vec3f center = (cluster.lower + cluster.upper) * 0.5F;
   const Vec3f extent = (cluster.upper - cluster.lower) * 0.5F;
@@ -61,6 +115,11 @@ Sight look_at(const Frame& frame, const Instance& instance, const Cluster& clust
     py = project(y);
     if (px.low > -kGuardBand && px.high < kGuardBand && py.low > -kGuardBand && py.high < kGuardBand) {
       sight.kind = Sight::Kind::whole;
+      const float moved = is_perspective ? ((x.slack + y.slack) + (px.largest() + py.largest()) * depth.slack) * widest : x.slack + y.slack;
+      const float rounded = 5e-7F * ((px.largest() + py.largest()) + (view.center_x + view.center_y));
+      if (cone != nullptr && looks_away(*frame.scene, instance, cluster, *cone, depth, px.largest(), py.largest(), moved + rounded)) {
+        return {};
+      }
     }
     sight.cluster.nearest =
         is_perspective ? widest * 1.0001F : (view.depth_far - depth.low) / (view.depth_far - view.depth_near) * 1.0001F + 1e-6F;
@@ -147,9 +206,10 @@ void sort_into_tiles(Frame& frame, BinWork& work, int threads) {
     BinWork::Part& part = work.parts[p];
     const Instance& instance = scene.instances[part.instance];
     const Clusters& clusters = instance.drawable->clusters;
+    const bool has_cones = scene.shading.cull != Culling::none && instance.is_similarity && !instance.drawable->cones.empty();
     for (std::uint32_t c = part.first; c < part.last; ++c) {
       const Cluster& cluster = clusters.clusters[c];
-      const Sight sight = look_at(frame, instance, cluster);
+      const Sight sight = look_at(frame, instance, cluster, has_cones ? &instance.drawable->cones[c] : nullptr);
       if (sight.kind == Sight::Kind::whole) {
         part.clusters.push_back(sight.cluster);
         part.clusters.back().instance = part.instance;

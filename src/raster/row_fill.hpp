@@ -444,7 +444,8 @@ inline HWY_NOINLINE void fill_one(const Canvas& c, const TriangleLanes& lanes, c
       t.y[k] = s.vertices[vertex].y;
       t.key[k] = s.vertices[vertex].key;
     }
-    if (!orient(t, source.instance.is_mirrored)) {
+    if (!orient(t, source.instance.is_mirrored) ||
+        c.frame.scene->shading.cull == ((t.flags & Record::kBack) != 0 ? Culling::back : Culling::front)) {
       return;
     }
   }
@@ -463,6 +464,7 @@ inline HWY_NOINLINE void fill_triangles(const Canvas& c, const Instance& instanc
   constexpr std::int32_t kCenter = kSubpixelUnits / 2;
   const Int to_first_x(kSubpixelUnits - 1 - kCenter - frame.highest.x), to_first_y(kSubpixelUnits - 1 - kCenter - frame.highest.y);
   const Int to_last_x(kCenter + frame.lowest.x), to_last_y(kCenter + frame.lowest.y);
+  const Culling culling = frame.scene->shading.cull;
   TriangleLanes lanes;
 
   for (std::size_t begin = 0; begin < cluster.triangles; begin += kLanes) {
@@ -489,6 +491,14 @@ inline HWY_NOINLINE void fill_triangles(const Canvas& c, const Instance& instanc
     const Int area2 = (x1 - x0) * (y2 - y0) - (y1 - y0) * (x2 - x0);  // of the small ones
     stays = stays & !(is_small & (area2 == Int(0)));
     const Mask is_swapped = area2 < Int(0);
+    if (culling != Culling::none) {
+      // Counter-clockwise with y up is a negative area with y down.
+      const bool keeps_swapped = (culling == Culling::back) != instance.is_mirrored;
+      stays = stays & !(is_small & (keeps_swapped ? !is_swapped : is_swapped));
+      if (!any_of(stays)) {
+        continue;
+      }
+    }
     const TinyTriangles tiny{x0,
                              y0,
                              select(is_swapped, x2, x1),

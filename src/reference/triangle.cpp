@@ -172,6 +172,9 @@ void setup_triangle(const PreparedScene& scene, std::uint32_t instance_index, st
     }
     // Counter-clockwise with y up is a negative area with y down.
     const bool is_front = (area2 < 0) != instance.is_mirrored;
+    if (scene.shading.cull == (is_front ? Culling::front : Culling::back)) {
+      continue;
+    }
     const bool is_swapped = area2 < 0;
     if (is_swapped) {
       std::swap(c[1], c[2]);

@@ -52,6 +52,7 @@ constexpr std::array kShadingFields{
                    "",
                    {},
                    "false; true for a bare mesh"},
+    Field<Shading>{"cull", "--cull", &Shading::cull, "which side of a face is not drawn"},
     Field<Shading>{"normalized", "--normalized", &Shading::normalized, "energy-normalised highlights, times N.L"},
 };
 

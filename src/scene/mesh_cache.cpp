@@ -108,6 +108,9 @@ Result<std::shared_ptr<const DrawableMesh>> MeshCache::get(const std::shared_ptr
     drawable->colors.push_back(demand.encoded_colors ? Vec3f{srgb_decode(c.x), srgb_decode(c.y), srgb_decode(c.z)} : c);
   }
   drawable->clusters = make_clusters(*drawable->mesh, use_, threads);
+  if (demand.wants_cones && use_ == ClusterUse::often) {
+    drawable->cones = make_cones(*drawable->mesh, drawable->clusters, threads);
+  }
   entries_.push_back({drawable, demand});
   return std::shared_ptr<const DrawableMesh>(drawable);
 }

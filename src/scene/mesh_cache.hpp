@@ -8,6 +8,7 @@
 #include "lustro/mesh.hpp"
 #include "lustro/result.hpp"
 #include "mesh/clusters.hpp"
+#include "mesh/cones.hpp"
 
 namespace lustro {
 
@@ -17,6 +18,7 @@ struct DrawableMesh {
   std::shared_ptr<const Mesh> mesh;    ///< checked; with unit normals unless none were asked for
   std::vector<Vec3f> colors;           ///< V x 3, linear, or empty
   Clusters clusters;
+  std::vector<NormalCone> cones;  ///< of the clusters, or empty
 };
 
 /// What the scene's options say about a mesh.
@@ -24,10 +26,11 @@ struct MeshDemand {
   NormalOptions normals{};
   bool wants_normals = true;
   bool encoded_colors = true;  ///< vertex colours are decoded to linear light
+  bool wants_cones = false;    ///< faces that look away are not drawn; met where the mesh will be drawn often
 
   friend bool operator==(const MeshDemand& a, const MeshDemand& b) {
     return a.normals.weights == b.normals.weights && a.normals.crease_deg == b.normals.crease_deg && a.wants_normals == b.wants_normals &&
-           a.encoded_colors == b.encoded_colors;
+           a.encoded_colors == b.encoded_colors && a.wants_cones == b.wants_cones;
   }
 };
 

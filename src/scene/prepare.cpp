@@ -121,6 +121,8 @@ Result<void> place(Instance& instance, const Mat4& m, const View& view, const st
     for (Vec3d& c : cofactors) {
       c = normalize(c);
     }
+    const Vec3d& v = view.projection == Projection::perspective ? -translation : view.forward;
+    instance.eye = ((rows[0] * v.x + rows[1] * v.y) + rows[2] * v.z) * (1 / dot(rows[0], rows[0]));
   }
   instance.relative_from_object = to_rows(rows, translation);
   instance.normal_from_object = to_rows(cofactors, {});
@@ -248,7 +250,8 @@ Result<void> check_objects(const Scene& scene, MeshCache& cache, int threads, st
     }
     const MeshDemand demand{.normals = {.weights = scene.shading.vertex_normals, .crease_deg = scene.shading.crease.value_or(180)},
                             .wants_normals = scene.shading.interpolation != Interpolation::flat,
-                            .encoded_colors = scene.image.transfer != Transfer::none};
+                            .encoded_colors = scene.image.transfer != Transfer::none,
+                            .wants_cones = scene.shading.cull != Culling::none};
     auto drawable = cache.get(object.mesh, demand, threads, where + ".mesh");
     if (!drawable) {
       return tl::unexpected(drawable.error());

@@ -45,6 +45,7 @@ struct Instance {
   bool has_own_materials = false;    ///< false: every triangle has first_material
   bool is_mirrored = false;          ///< the matrix turns the winding round
   bool is_similarity = false;        ///< the matrix keeps angles: normals may be interpolated before they are turned
+  Vec3d eye;                         ///< object space, for a similarity: where the eye stands, or the way that an orthographic view looks
 
   AffineRows image_from_object;     ///< (pixels * depth from the image's centre, x and y; depth), orthographic: (pixels, pixels, depth)
   AffineRows relative_from_object;  ///< world orientation, relative to the eye

@@ -33,6 +33,11 @@ constexpr std::array kVertexNormals{
     word(VertexNormals::area, "area", "weighted by the faces' areas"),
     word(VertexNormals::angle, "angle", "weighted by the faces' angles at the vertex"),
 };
+constexpr std::array kCulling{
+    word(Culling::none, "none", "both sides of a face are drawn"),
+    word(Culling::back, "back", "faces that are seen from behind are left out: of a closed mesh nothing is missed"),
+    word(Culling::front, "front", "faces that are seen from the front are left out: a look inside"),
+};
 constexpr std::array kTransfer{
     word(Transfer::none, "none", "every colour as it stands, stored as it is, as classic OpenGL did"),
     word(Transfer::srgb, "srgb", "lit in linear light, stored with the sRGB encoding"),
@@ -75,6 +80,7 @@ template <> std::span<const Word> words_of<Lighting>() { return kLighting; }
 template <> std::span<const Word> words_of<Interpolation>() { return kInterpolation; }
 template <> std::span<const Word> words_of<NormalInterpolation>() { return kNormalInterpolation; }
 template <> std::span<const Word> words_of<VertexNormals>() { return kVertexNormals; }
+template <> std::span<const Word> words_of<Culling>() { return kCulling; }
 template <> std::span<const Word> words_of<Transfer>() { return kTransfer; }
 template <> std::span<const Word> words_of<Projection>() { return kProjection; }
 template <> std::span<const Word> words_of<ViewPreset>() { return kViewPreset; }

@@ -20,8 +20,8 @@ struct Word {
   std::string_view help;
 };
 
-/// The words of E in the order of its values: Lighting, Interpolation, NormalInterpolation, VertexNormals, Transfer, Projection, ViewPreset,
-/// LightType, FogMode.
+/// The words of E in the order of its values: Lighting, Interpolation, NormalInterpolation, VertexNormals, Culling, Transfer, Projection,
+/// ViewPreset, LightType, FogMode.
 template <class E>
 [[nodiscard]] std::span<const Word> words_of();
 

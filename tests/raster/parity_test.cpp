@@ -217,6 +217,70 @@ TEST(Parity, ARendererThatIsUsedAgainGivesTheSameBits) {
   }
 }
 
+// A renderer that is used again leaves out whole clusters that look away, and not one triangle that the image's grid turns round.
+TEST(Parity, CulledClusters) {
+  std::mt19937 random(17);
+  const auto number = [&random] { return static_cast<double>(random()) / 4294967296.0 * 2 - 1; };
+  for (int i = 0; i < 48; ++i) {
+    constexpr std::array kMeshes{"primitive:sphere:24", "primitive:sphere:200", "primitive:sphere:500", "primitive:teapot",
+                                 "primitive:torus:160"};
+    Scene scene = big_scene(kMeshes[static_cast<std::size_t>(i) % kMeshes.size()], Interpolation::flat, i % 3 == 0 ? 4 : 1, 160, 120);
+    scene.shading.cull = i % 2 == 0 ? Culling::back : Culling::front;
+    scene.shading.two_sided = i % 4 < 2;
+    scene.camera.projection = i % 5 == 0 ? Projection::orthographic : Projection::perspective;
+    scene.camera.eye = Vec3d{2.5 * number(), 2.5 * number(), 2.5 * number()};
+    scene.camera.target = Vec3d{number(), number(), number()};
+    scene.camera.fov = 20 + 60 * (number() + 1);
+    scene.camera.near = 0.01;
+    scene.camera.far = 100;
+    const double size = i % 7 == 0 ? 0.05 : 1;  // the finer meshes then have triangles far below the grid
+    scene.objects[0].matrix.m = {size, 0, 0, 1e3 * (i % 11 == 0), 0, i % 3 == 0 ? -size : size, 0, 0, 0, 0, i % 13 == 0 ? 2 * size : size, 0, 0,
+                                 0,    0, 1};
+    if (i % 11 == 0) {  // far from the origin
+      scene.camera.eye->x += 1e3;
+      scene.camera.target->x += 1e3;
+    }
+    RenderOptions options{.aovs = all_aovs(), .store_bytes = true};
+    options.engine = Engine::reference;
+    const Result<Rendering> reference = render(scene, options);
+    options.engine = Engine::raster;
+    Result<Rendering> used = Rendering{};
+    Renderer renderer;
+    ASSERT_TRUE(renderer.render(scene, options, *used));
+    const auto found = difference(reference, used);
+    EXPECT_FALSE(found) << i << ": " << *found;
+  }
+}
+
+// Triangles in a plane, thinner than a step of the image's grid: seen from behind, the grid turns some of them round, and those are drawn.
+TEST(Parity, SliversThatTheGridTurnsRound) {
+  std::mt19937 random(19);
+  const auto number = [&random] { return static_cast<float>(random()) / 4294967296.0F - 0.5F; };
+  auto mesh = std::make_shared<Mesh>();
+  for (std::uint32_t i = 0; i < 3 * 100'000; i += 3) {
+    const Vec3f center{number(), number(), 0};
+    const Vec3f along = normalize(Vec3f{number(), number(), 0}) * 0.03F;
+    constexpr float kThin = 1e-3F;
+    mesh->positions.insert(mesh->positions.end(), {center - along, center + along, center + Vec3f{-along.y, along.x, 0} * kThin});
+    mesh->triangles.push_back({i, i + 1, i + 2});
+  }
+  Scene scene;
+  scene.image = {.width = 70, .height = 60, .samples = 1};
+  scene.camera.target = Vec3d{0, 0, 0};
+  scene.shading.cull = Culling::back;
+  scene.objects.push_back({.mesh = mesh});
+  for (const double side : {1.0, -1.0}) {
+    scene.camera.eye = Vec3d{0.1, 0.05, 2 * side};
+    const Result<Rendering> reference = render(scene, {.engine = Engine::reference});
+    Renderer renderer;
+    Rendering used;
+    ASSERT_TRUE(renderer.render(scene, {}, used));
+    EXPECT_GT(reference->stats.pixels_covered, 10U);
+    const auto found = difference(reference->color, used.color, side < 0 ? "back" : "front");
+    EXPECT_FALSE(found) << *found;
+  }
+}
+
 // Small enough for the thread sanitizer.
 TEST(Parity, SeveralThreadsShareNothingButTheScene) {
   Scene scene = big_scene("primitive:sphere:40", Interpolation::phong, 4, 200, 150);

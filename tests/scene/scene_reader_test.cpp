@@ -178,7 +178,7 @@ TEST(SceneReader, EveryKeyOfTheTableRefusesAWrongTypeAtItsPath) {
       ++checked;
     }
   }
-  EXPECT_EQ(checked, 65);
+  EXPECT_EQ(checked, 66);
 }
 
 }  // namespace

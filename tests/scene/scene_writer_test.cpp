@@ -117,6 +117,7 @@ class SceneMaker {
     s.recompute_normals = coin();
     s.terms = {coin(), coin(), coin(), coin()};
     s.two_sided = coin();
+    s.cull = word<Culling>(3);
     s.normalized = coin();
     return s;
   }

@@ -10,7 +10,8 @@ namespace {
 
 template <class E>
 class Words : public testing::Test {};
-using Enums = testing::Types<Lighting, Interpolation, NormalInterpolation, VertexNormals, Transfer, Projection, ViewPreset, LightType, FogMode>;
+using Enums =
+    testing::Types<Lighting, Interpolation, NormalInterpolation, VertexNormals, Culling, Transfer, Projection, ViewPreset, LightType, FogMode>;
 TYPED_TEST_SUITE(Words, Enums);
 
 TYPED_TEST(Words, AreUniqueExplainedAndReadBack) {
@@ -31,6 +32,7 @@ TEST(Words, CoverEveryValueOfTheirEnum) {
   EXPECT_EQ(words_of<Interpolation>().size(), 3U);
   EXPECT_EQ(words_of<NormalInterpolation>().size(), 2U);
   EXPECT_EQ(words_of<VertexNormals>().size(), 3U);
+  EXPECT_EQ(words_of<Culling>().size(), 3U);
   EXPECT_EQ(words_of<Transfer>().size(), 2U);
   EXPECT_EQ(words_of<Projection>().size(), 2U);
   EXPECT_EQ(words_of<ViewPreset>().size(), 8U);

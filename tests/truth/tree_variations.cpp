@@ -110,6 +110,28 @@ void add_sides(Branch& branch) {
   }
 }
 
+void add_culling(Branch& branch) {
+  for (const Culling cull : {Culling::back, Culling::front}) {
+    const std::string side = cull == Culling::back ? "cull_back" : "cull_front";
+    branch.add_all(side + "/plane_from_below", 0, "below", [=](Scene& scene) {
+      scene.camera.eye = Vec3d{1.2, -2.4, 3.2};
+      scene.shading.cull = cull;
+      scene.shading.two_sided = true;
+    });
+    branch.add_all(side + "/cut_open", 2, "near", [=](Scene& scene) {
+      scene.camera.near = 3.7;  // the near plane opens the objects
+      scene.shading.cull = cull;
+      scene.shading.two_sided = true;
+    });
+    branch.add_all(side + "/mirrored", 2, "mirrored", [=](Scene& scene) {
+      for (Object& object : scene.objects) {
+        object.matrix = scaling(-1, 1, 1) * object.matrix;
+      }
+      scene.shading.cull = cull;
+    });
+  }
+}
+
 void add_matrices(Branch& branch) {
   branch.add_all("matrix/mirrored_and_stretched", 0, "mirror_z",
                  [](Scene& scene) { scene.objects[0].matrix = scaling(0.8, 1.2, -0.5) * turned(0); });
@@ -363,6 +385,7 @@ void add_variations(std::vector<TreeScene>& tree) {
   add_equation(branch);
   add_surfaces(branch);
   add_picture(branch);
+  add_culling(branch);
 }
 
 }  // namespace lustro::truth

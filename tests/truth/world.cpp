@@ -113,6 +113,9 @@ Hit World::cast(double x, double y) const {
       if (u < 0 || v < 0 || w < 0 || hit.depth < *scene_->camera.near || hit.depth > *scene_->camera.far) {
         continue;
       }
+      if (scene_->shading.cull != Culling::none && is_front(x, y, hit) == (scene_->shading.cull == Culling::front)) {
+        continue;
+      }
       if (nearest.object < 0 || hit.depth < nearest.depth) {
         nearest = hit;
       }
