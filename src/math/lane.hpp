@@ -15,6 +15,7 @@ namespace lustro {
 /// select(mask, a, b): a where the mask holds, else b. Both sides are evaluated.
 inline float select(bool mask, float a, float b) { return mask ? a : b; }
 inline double select(bool mask, double a, double b) { return mask ? a : b; }
+inline std::int32_t select(bool mask, std::int32_t a, std::int32_t b) { return mask ? a : b; }
 
 /// Whether a mask holds in any lane.
 inline bool any_of(bool mask) { return mask; }
@@ -38,6 +39,14 @@ inline float from_bits(std::int32_t bits) { return std::bit_cast<float>(bits); }
 inline float to_float(std::int32_t i) { return static_cast<float>(i); }
 /// Towards zero; the argument must fit an int32.
 inline std::int32_t truncate(float a) { return static_cast<std::int32_t>(a); }
+/// The largest whole number that is not above; of any float, NaN and infinities stay.
+inline float floor_of(float a) {
+  if (!(std::abs(a) < 8388608.0F)) {
+    return a;  // whole already
+  }
+  const float t = to_float(truncate(a));
+  return t > a ? t - 1.0F : t;
+}
 // clang-format on
 
 }  // namespace lustro

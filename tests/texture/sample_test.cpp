@@ -1,0 +1,366 @@
+// Every wrap mode and filter against a sampler in double precision, written from the OpenGL 4.6 specification, 8.14 and 8.15, and from
+// EXT_texture_filter_anisotropic; it shares nothing with the look-up but the texels.
+#include "texture/sample.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "texture/random_texture.hpp"
+
+namespace lustro {
+namespace {
+
+using Rgba = std::array<double, 4>;
+constexpr std::array kWraps{Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge, Wrap::clamp_to_border};
+constexpr std::array kFilters{TextureFilter::nearest, TextureFilter::linear};
+constexpr std::array kMips{MipFilter::none, MipFilter::nearest, MipFilter::linear};
+
+/// The specification's sampler. `margin` becomes the distance to the nearest place where a choice (of a texel, of a level) changes.
+class Oracle {
+ public:
+  Oracle(const Texture& texture, const Sampler& sampler) : texture_(texture), sampler_(sampler) {}
+
+  Rgba sample(const Footprint<double>& at) {
+    const double px = std::hypot(at.u_dx * texture_.width(), at.v_dx * texture_.height());
+    const double py = std::hypot(at.u_dy * texture_.width(), at.v_dy * texture_.height());
+    const double longest = std::max(px, py);
+    if (sampler_.anisotropy == 1) {
+      return look(at.u, at.v, std::log2(longest));
+    }
+    const double ratio = longest / std::max(std::min(px, py), 1.0);  // see sample.hpp: the short axis counts as a texel
+    const double looks = std::max(1.0, std::ceil(std::min(ratio, static_cast<double>(sampler_.anisotropy))));
+    if (ratio < sampler_.anisotropy) {
+      choose(ratio);
+    }
+    choose(px > py ? (px - py) * 1e-2 : (py - px) * 1e-2);
+    Rgba sum{};
+    for (int i = 1; i <= static_cast<int>(looks); ++i) {
+      const double along = i / (looks + 1) - 0.5;
+      const Rgba value = px > py ? look(at.u + at.u_dx * along, at.v + at.v_dx * along, std::log2(longest / looks))
+                                 : look(at.u + at.u_dy * along, at.v + at.v_dy * along, std::log2(longest / looks));
+      for (std::size_t c = 0; c < 4; ++c) {
+        sum[c] += value[c] / looks;
+      }
+    }
+    return sum;
+  }
+
+  double margin = 1;
+
+ private:
+  // A value whose integer part decides.
+  void choose(double x) { margin = std::min(margin, std::abs(x - std::round(x))); }
+
+  // Table 8.19 with the functions below it.
+  static int wrapped(Wrap wrap, long long i, int size) {
+    const auto mod = [](long long a, long long n) { return ((a % n) + n) % n; };
+    const auto mirror = [](long long a) { return a >= 0 ? a : -(1 + a); };
+    switch (wrap) {
+      case Wrap::repeat:
+        return static_cast<int>(mod(i, size));
+      case Wrap::mirrored_repeat:
+        return static_cast<int>((size - 1) - mirror(mod(i, 2LL * size) - size));
+      case Wrap::clamp_to_edge:
+        return static_cast<int>(std::clamp<long long>(i, 0, size - 1));
+      case Wrap::clamp_to_border:
+        break;
+    }
+    return static_cast<int>(std::clamp<long long>(i, -1, size));
+  }
+
+  [[nodiscard]] Rgba texel(std::size_t level, long long i, long long j) const {
+    const TextureLevel& l = texture_.levels()[level];
+    const int x = wrapped(sampler_.wrap_u, i, l.width);
+    const int y = wrapped(sampler_.wrap_v, j, l.height);
+    Rgba result{};
+    for (std::size_t c = 0; c < 4; ++c) {
+      const bool is_border = x < 0 || y < 0 || x >= l.width || y >= l.height;
+      result[c] = static_cast<double>(is_border ? sampler_.border[c] : texture_.texel(level, x, y)[c]);
+    }
+    return result;
+  }
+
+  Rgba look_at_level(std::size_t level, TextureFilter filter, double s, double t) {
+    const double u = s * texture_.levels()[level].width;
+    const double v = t * texture_.levels()[level].height;
+    if (filter == TextureFilter::nearest) {
+      choose(u);
+      choose(v);
+      return texel(level, static_cast<long long>(std::floor(u)), static_cast<long long>(std::floor(v)));
+    }
+    const auto i = static_cast<long long>(std::floor(u - 0.5));
+    const auto j = static_cast<long long>(std::floor(v - 0.5));
+    const double a = u - 0.5 - std::floor(u - 0.5);
+    const double b = v - 0.5 - std::floor(v - 0.5);
+    Rgba result{};
+    for (std::size_t c = 0; c < 4; ++c) {
+      result[c] = (1 - a) * (1 - b) * texel(level, i, j)[c] + a * (1 - b) * texel(level, i + 1, j)[c] + (1 - a) * b * texel(level, i, j + 1)[c] +
+                  a * b * texel(level, i + 1, j + 1)[c];
+    }
+    return result;
+  }
+
+  Rgba look(double s, double t, double lambda) {
+    const bool is_soft =
+        sampler_.magnify == TextureFilter::linear && sampler_.minify == TextureFilter::nearest && sampler_.mip != MipFilter::none;
+    const double c = is_soft ? 0.5 : 0;
+    if (sampler_.magnify != sampler_.minify) {
+      margin = std::min(margin, std::abs(lambda - c));
+    }
+    if (lambda <= c) {
+      return look_at_level(0, sampler_.magnify, s, t);
+    }
+    const double q = static_cast<double>(texture_.levels().size()) - 1;
+    if (sampler_.mip == MipFilter::none) {
+      return look_at_level(0, sampler_.minify, s, t);
+    }
+    if (sampler_.mip == MipFilter::nearest) {
+      choose(lambda + 0.5);
+      const double d = lambda <= 0.5 ? 0 : (lambda <= q + 0.5 ? std::ceil(lambda + 0.5) - 1 : q);
+      return look_at_level(static_cast<std::size_t>(d), sampler_.minify, s, t);
+    }
+    if (is_soft) {
+      choose(lambda);  // for it starts at 1/2
+    }
+    const double d1 = lambda >= q ? q : std::floor(lambda);
+    const double d2 = lambda >= q ? q : d1 + 1;
+    const double f = lambda - std::floor(lambda);
+    const Rgba near = look_at_level(static_cast<std::size_t>(d1), sampler_.minify, s, t);
+    const Rgba far = look_at_level(static_cast<std::size_t>(d2), sampler_.minify, s, t);
+    Rgba result{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      result[i] = (1 - f) * near[i] + f * far[i];
+    }
+    return result;
+  }
+
+  const Texture& texture_;
+  const Sampler& sampler_;
+};
+
+Texel<float> sampled(const Texture& texture, const Sampler& sampler, const Footprint<float>& at) {
+  return sample(sampler, TexelReader(texture.layout()), static_cast<float>(texture.width()), static_cast<float>(texture.height()), at);
+}
+
+Footprint<float> random_footprint(std::mt19937& random, const Texture& texture) {
+  const auto between = [&](float low, float high) { return low + (high - low) * unit_random(random); };
+  const float size = std::exp2(between(-3, 6));  // texels
+  const float w = static_cast<float>(texture.width());
+  const float h = static_cast<float>(texture.height());
+  Footprint<float> at{between(-3, 3), between(-3, 3), 0, 0, 0, 0};
+  at.u_dx = between(-1, 1) * size / w;
+  at.v_dx = between(-1, 1) * size / h;
+  at.u_dy = between(-1, 1) * size / w;
+  at.v_dy = between(-1, 1) * size / h;
+  return at;
+}
+
+/// Calls check(sampler) for every combination.
+void for_every_sampler(const std::function<void(const Sampler&)>& check) {
+  for (const Wrap wrap_u : kWraps) {
+    for (const Wrap wrap_v : kWraps) {
+      for (const TextureFilter magnify : kFilters) {
+        for (const TextureFilter minify : kFilters) {
+          for (const MipFilter mip : kMips) {
+            for (const int anisotropy : {1, 8}) {
+              check({wrap_u, wrap_v, magnify, minify, mip, anisotropy, {0.3F, 0.7F, 0.1F, 0.9F}});
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Sample, EqualsTheSpecificationForEveryWrapAndFilter) {
+  std::mt19937 random(1);
+  int compared = 0, passed_over = 0;
+  for (const auto& [width, height] : std::vector<std::array<int, 2>>{{8, 8}, {5, 3}, {1, 7}, {1, 1}}) {
+    for (const bool is_hdr : {false, true}) {
+      const auto texture = made(noise(width, height, 4, static_cast<unsigned>(width), is_hdr ? -2 : 0, is_hdr ? 2 : 1));
+      for_every_sampler([&](const Sampler& sampler) {
+        for (int i = 0; i < 25; ++i) {
+          const Footprint<float> at = random_footprint(random, *texture);
+          Oracle oracle(*texture, sampler);
+          const Rgba expected = oracle.sample({at.u, at.v, at.u_dx, at.v_dx, at.u_dy, at.v_dy});
+          if (oracle.margin < 2e-5) {  // of a choice that single precision may make the other way
+            ++passed_over;
+            continue;
+          }
+          ++compared;
+          const Texel<float> value = sampled(*texture, sampler, at);
+          for (std::size_t c = 0; c < 4; ++c) {
+            ASSERT_NEAR(static_cast<double>(value[c]), expected[c], 5e-5)
+                << width << " x " << height << ", wrap " << static_cast<int>(sampler.wrap_u) << " " << static_cast<int>(sampler.wrap_v)
+                << ", magnify " << static_cast<int>(sampler.magnify) << ", minify " << static_cast<int>(sampler.minify) << ", mip "
+                << static_cast<int>(sampler.mip) << ", anisotropy " << sampler.anisotropy << ", at " << at.u << " " << at.v << ", " << at.u_dx
+                << " " << at.v_dx << " " << at.u_dy << " " << at.v_dy;
+          }
+        }
+      });
+    }
+  }
+  EXPECT_GT(compared, 20 * passed_over);
+}
+
+TEST(Sample, ATexelsCentreShowsTheTexelExactly) {
+  const auto texture = made(noise(8, 4, 4, 3));
+  for (const Wrap wrap : kWraps) {
+    const Sampler sampler{.wrap_u = wrap, .wrap_v = wrap};
+    for (int y = 0; y < 4; ++y) {
+      for (int x = 0; x < 8; ++x) {
+        EXPECT_EQ(sampled(*texture, sampler, {(static_cast<float>(x) + 0.5F) / 8, (static_cast<float>(y) + 0.5F) / 4, 1.0F / 8, 0, 0, 0}),
+                  texture->texel(0, x, y));
+      }
+    }
+  }
+}
+
+TEST(Sample, AConstantTextureGivesTheConstantExactly) {
+  Image image(6, 5, 4);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    image.pixels[i] = std::array{0.2F, 0.4F, 0.6F, 0.8F}[i % 4];
+  }
+  const auto texture = made(image);
+  std::mt19937 random(2);
+  for_every_sampler([&](Sampler sampler) {
+    sampler.wrap_u = sampler.wrap_u == Wrap::clamp_to_border ? Wrap::repeat : sampler.wrap_u;
+    sampler.wrap_v = sampler.wrap_v == Wrap::clamp_to_border ? Wrap::repeat : sampler.wrap_v;
+    for (int i = 0; i < 10; ++i) {
+      ASSERT_EQ(sampled(*texture, sampler, random_footprint(random, *texture)), (Texel<float>{0.2F, 0.4F, 0.6F, 0.8F}));
+    }
+  });
+}
+
+TEST(Sample, AWholeShiftUnderRepeatAndAnEvenOneUnderMirroringChangeNothing) {
+  const auto texture = made(noise(7, 6, 4, 5));
+  std::mt19937 random(3);
+  for_every_sampler([&](Sampler sampler) {
+    const auto even = [](Wrap wrap) { return wrap == Wrap::mirrored_repeat ? 2.0F : 1.0F; };
+    if (sampler.wrap_u > Wrap::mirrored_repeat || sampler.wrap_v > Wrap::mirrored_repeat || sampler.anisotropy > 1) {
+      return;
+    }
+    Footprint<float> at = random_footprint(random, *texture);
+    at.u = std::floor(at.u * 1024) / 1024;  // so that the shift is exact
+    at.v = std::floor(at.v * 1024) / 1024;
+    const Texel<float> value = sampled(*texture, sampler, at);
+    at.u += 3 * even(sampler.wrap_u);
+    at.v -= 2 * even(sampler.wrap_v);
+    ASSERT_EQ(sampled(*texture, sampler, at), value);
+  });
+}
+
+TEST(Sample, MirroringIsSymmetricAboutEveryEdge) {
+  const auto texture = made(noise(8, 8, 4, 6));
+  const Sampler sampler{.wrap_u = Wrap::mirrored_repeat, .wrap_v = Wrap::mirrored_repeat};
+  std::mt19937 random(4);
+  for (int i = 0; i < 200; ++i) {
+    const float d = std::floor(unit_random(random) * 512) / 512;
+    const float v = unit_random(random);
+    for (const float edge : {-1.0F, 0.0F, 1.0F, 2.0F}) {
+      ASSERT_EQ(sampled(*texture, sampler, {edge + d, v, 0.1F, 0, 0, 0.2F}), sampled(*texture, sampler, {edge - d, v, 0.1F, 0, 0, 0.2F}));
+    }
+  }
+}
+
+TEST(Sample, TheBorderIsSeenOutsideAndHalfAtTheEdge) {
+  Image white(4, 4, 1);
+  std::fill(white.pixels.begin(), white.pixels.end(), 1.0F);
+  const auto texture = made(white);
+  const Sampler sampler{.wrap_u = Wrap::clamp_to_border, .wrap_v = Wrap::clamp_to_edge, .border = {0.25F, 0, 0, 0.5F}};
+  EXPECT_EQ(sampled(*texture, sampler, {-0.5F, 0.5F, 0, 0, 0, 0}), (Texel<float>{0.25F, 0, 0, 0.5F}));
+  EXPECT_EQ(sampled(*texture, sampler, {1.5F, 0.5F, 0, 0, 0, 0}), (Texel<float>{0.25F, 0, 0, 0.5F}));
+  EXPECT_EQ(sampled(*texture, sampler, {0, 0.5F, 0, 0, 0, 0}), (Texel<float>{0.625F, 0.5F, 0.5F, 0.75F}));
+  EXPECT_EQ(sampled(*texture, sampler, {1, 0.5F, 0, 0, 0, 0}), (Texel<float>{0.625F, 0.5F, 0.5F, 0.75F}));
+  EXPECT_EQ(sampled(*texture, sampler, {0.5F, 7, 0, 0, 0, 0}), (Texel<float>{1, 1, 1, 1}));
+}
+
+TEST(Sample, TrilinearIsContinuousAcrossLevels) {
+  const auto texture = made(noise(64, 64, 1, 7));
+  const Sampler sampler;
+  for (int level = 0; level < 6; ++level) {
+    const float texels = std::exp2(static_cast<float>(level));
+    const float below = sampled(*texture, sampler, {0.3F, 0.6F, texels * 0.99999F / 64, 0, 0, 0})[0];
+    const float above = sampled(*texture, sampler, {0.3F, 0.6F, texels * 1.00001F / 64, 0, 0, 0})[0];
+    EXPECT_NEAR(below, above, 5e-5F) << level;
+  }
+}
+
+TEST(Sample, ALevelIsShownAsItIsWhereItsTexelsAreAPixel) {
+  const auto texture = made(noise(16, 16, 4, 8));
+  for (int level = 0; level < 5; ++level) {
+    const float texels = std::exp2(static_cast<float>(level));
+    const Texel<float> value = sampled(*texture, {}, {texels * 0.5F / 16, texels * 0.5F / 16, texels / 16, 0, 0, texels / 16});
+    for (std::size_t c = 0; c < 4; ++c) {
+      EXPECT_NEAR(value[c], texture->texel(static_cast<std::size_t>(level), 0, 0)[c], 1e-6F) << level;
+    }
+  }
+}
+
+TEST(Sample, AFootprintFourTimesAsLongAsWideTakesFourLooksAtTheWidthsLevel) {
+  Footprint<float> at{0.5F, 0.5F, 8.0F / 64, 0, 0, 2.0F / 64};  // 8 by 2 texels
+  const FootprintSize<float> four = size_of_footprint<float>({.anisotropy = 16}, 64, 64, at);
+  EXPECT_EQ(four.looks, 4);
+  EXPECT_NEAR(four.lod, 1, 1e-6F);
+  EXPECT_EQ(four.u_long, 8.0F / 64);
+  EXPECT_EQ(four.v_long, 0);
+  const FootprintSize<float> two = size_of_footprint<float>({.anisotropy = 2}, 64, 64, at);
+  EXPECT_EQ(two.looks, 2);
+  EXPECT_NEAR(two.lod, 2, 1e-6F);
+  EXPECT_NEAR(size_of_footprint<float>({}, 64, 64, at).lod, 3, 1e-6F);
+  // Stripes across the long axis vanish, stripes along it stay: which no isotropic level can show.
+  Image stripes(64, 64, 1);
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      stripes.at(x, y)[0] = static_cast<float>(y / 4 % 2);
+    }
+  }
+  const auto texture = made(stripes);
+  at.v = 34.0F / 64;
+  const float isotropic = sampled(*texture, {.anisotropy = 1}, at)[0];
+  const float anisotropic = sampled(*texture, {.anisotropy = 16}, at)[0];
+  EXPECT_NEAR(isotropic, 0.5F, 1e-4F);
+  EXPECT_NEAR(anisotropic, 0, 1e-4F);
+}
+
+TEST(Sample, AnyNumbersAtAllReadNothingOutsideTheTexture) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const std::array<float, 18> wild{std::numeric_limits<float>::quiet_NaN(),
+                                   kInfinity,
+                                   -kInfinity,
+                                   3.4e38F,
+                                   -3.4e38F,
+                                   1e30F,
+                                   -1e9F,
+                                   16777216.0F,
+                                   -16777217.0F,
+                                   1e-40F,
+                                   -1e-40F,
+                                   -1e-9F,
+                                   0.99999994F,
+                                   1.0F,
+                                   -1.0F,
+                                   0.0F,
+                                   -0.0F,
+                                   2.0F};
+  std::mt19937 random(5);
+  // The block ends with the last level: a sanitizer sees a read behind it, and every value must lie within what the texels and the border hold.
+  for (const auto& [width, height] : std::vector<std::array<int, 2>>{{1, 1}, {3, 2}, {1000, 3}}) {
+    const auto texture = made(noise(width, height, 4, 1));
+    for_every_sampler([&](const Sampler& sampler) {
+      for (int i = 0; i < 60; ++i) {
+        const auto pick = [&] { return wild[random() % wild.size()]; };
+        const Texel<float> value = sampled(*texture, sampler, {pick(), pick(), pick(), pick(), pick(), pick()});
+        for (const float channel : value) {
+          ASSERT_GE(channel, 0);
+          ASSERT_LE(channel, 1);
+        }
+      }
+    });
+  }
+}
+
+}  // namespace
+}  // namespace lustro
