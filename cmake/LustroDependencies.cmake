@@ -56,7 +56,8 @@ pkg_check_modules(SPNG REQUIRED IMPORTED_TARGET spng)
 pkg_check_modules(DEFLATE REQUIRED IMPORTED_TARGET libdeflate)
 pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)
 
-# Without these two the library makes no animations of their kinds, and says so.
+# Without these the library makes no animations of their kinds, and reads no pictures of theirs, and says so.
+pkg_check_modules(JPEG IMPORTED_TARGET libjpeg)
 pkg_check_modules(WEBP IMPORTED_TARGET libwebpmux libwebp)
 pkg_check_modules(GIF IMPORTED_TARGET libgif)
 
@@ -68,7 +69,7 @@ set(core_libraries fmt::fmt ${lustro_threads} $<BUILD_INTERFACE:nlohmann_json::n
 target_link_libraries(lustro_core_dependencies INTERFACE ${core_libraries})
 target_link_libraries(lustro_private_dependencies INTERFACE ${core_libraries} OpenEXR::OpenEXR PkgConfig::SPNG PkgConfig::DEFLATE PkgConfig::FREETYPE)
 
-foreach(library WEBP GIF)
+foreach(library JPEG WEBP GIF)
   if(${library}_FOUND)
     target_link_libraries(lustro_private_dependencies INTERFACE PkgConfig::${library})
     target_compile_definitions(lustro_private_dependencies INTERFACE $<BUILD_INTERFACE:LUSTRO_HAS_${library}>)
@@ -79,6 +80,9 @@ endforeach()
 set(LUSTRO_PKG_CONFIG_REQUIRES fmt OpenEXR spng libdeflate freetype2)
 if(LUSTRO_THREADS STREQUAL "tbb")
   list(APPEND LUSTRO_PKG_CONFIG_REQUIRES tbb)
+endif()
+if(JPEG_FOUND)
+  list(APPEND LUSTRO_PKG_CONFIG_REQUIRES libjpeg)
 endif()
 if(WEBP_FOUND)
   list(APPEND LUSTRO_PKG_CONFIG_REQUIRES libwebpmux libwebp)

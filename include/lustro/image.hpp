@@ -102,10 +102,19 @@ struct ByteImage {
 /// errors  io with the system's reason; no half-written file is left
 [[nodiscard]] Result<void> write_file_atomically(const std::filesystem::path& file, std::span<const std::byte> bytes);
 
-/// An image file as linear floats, alpha premultiplied: PNG (any kind; decoded by `transfer`), EXR, PFM. At most 16384 x 16384 pixels. By
-/// content first, then by extension. One channel for gray, three for colour, four with alpha. Layers of an EXR file are not read.
+/// An image file as linear floats, alpha premultiplied. At most 16384 x 16384 pixels. By content first, then by extension. One channel for gray,
+/// three for colour, four with alpha.
 ///
-/// errors  io, malformed, unsupported, limit: each names the file and what is wrong
+///   PNG        any kind; gAMA and iCCP chunks are not applied          8 and 16 bits are decoded by `transfer`
+///   JPEG       baseline, progressive, gray, CMYK; EXIF's orientation is not applied, no profile is
+///   WebP       lossy and lossless, no animations
+///   TGA, BMP   every kind that is in use: palettes, 8 to 32 bits, packed or not, from either side
+///   HDR        Radiance's RGBE: linear                                 floats stand as they are
+///   EXR        the colours; layers are not read
+///   PFM        three channels or one
+///
+/// errors  io, malformed, unsupported, limit: each names the file and what is wrong. JPEG and WebP are unsupported in a build without their
+///         libraries
 [[nodiscard]] Result<Image> read_image(const std::filesystem::path& file, Transfer transfer = Transfer::srgb);
 
 /// How two pictures differ. Both are compared as they would be stored: encoded by `transfer`, clamped to 0..1, over black. Gray counts as three

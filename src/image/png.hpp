@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "image/decode_bytes.hpp"
 #include "image/limits.hpp"
 #include "lustro/image.hpp"
 
@@ -25,6 +26,6 @@ namespace lustro {
 /// Any PNG: gray of 1 to 16 bits, palette, RGB, alpha, tRNS, interlaced. One channel for opaque gray, three for opaque colour, four with alpha.
 /// Values are decoded by `transfer`; gAMA and iCCP chunks are not applied. errors  malformed, limit
 [[nodiscard]] Result<Image> decode_png(std::span<const std::byte> bytes, const std::string& where, Transfer transfer,
-                                       const ImageLimits& limits = {});
+                                       const ImageLimits& limits = {}, AlphaForm alpha = AlphaForm::premultiplied);
 
 }  // namespace lustro

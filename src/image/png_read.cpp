@@ -1,4 +1,4 @@
-// The PNG reader: libspng does the decoding (no longjmp, limits on every size), this file turns what it gives into linear, premultiplied floats.
+// The PNG reader: libspng does the decoding (no longjmp, limits on every size), this file turns what it gives into linear floats.
 #include <fmt/format.h>
 #include <spng.h>
 
@@ -44,9 +44,9 @@ Result<void> check_whole(std::span<const std::byte> bytes, const std::string& wh
   return fail(ErrorKind::malformed, fmt::format("{}: byte {}", where, bytes.size()), "the PNG file ends before its IEND chunk does");
 }
 
-/// RGBA integers of either width as floats: linear, premultiplied, only the channels that say something.
+/// RGBA integers of either width as floats: linear, only the channels that say something.
 template <class Int>
-Image to_floats(const std::vector<Int>& rgba, const spng_ihdr& header, int channels, Transfer transfer) {
+Image to_floats(const std::vector<Int>& rgba, const spng_ihdr& header, int channels, Transfer transfer, AlphaForm alpha_form) {
   constexpr std::size_t kMax = static_cast<Int>(-1);
   std::vector<float> linear(kMax + 1);
   std::vector<float> plain(kMax + 1);
@@ -58,8 +58,9 @@ Image to_floats(const std::vector<Int>& rgba, const spng_ihdr& header, int chann
   const auto step = static_cast<std::size_t>(channels);
   for (std::size_t from = 0, to = 0; from < rgba.size(); from += 4, to += step) {
     const float alpha = plain[rgba[from + 3]];
+    const float factor = alpha_form == AlphaForm::premultiplied && channels == 4 ? alpha : 1.0F;
     for (std::size_t c = 0; c < std::min<std::size_t>(step, 3); ++c) {
-      image.pixels[to + c] = linear[rgba[from + c]] * (channels == 4 ? alpha : 1.0F);
+      image.pixels[to + c] = linear[rgba[from + c]] * factor;
     }
     if (channels == 4) {
       image.pixels[to + 3] = alpha;
@@ -69,7 +70,7 @@ Image to_floats(const std::vector<Int>& rgba, const spng_ihdr& header, int chann
 }
 
 template <class Int>
-Result<Image> decode_pixels(spng_ctx* context, const spng_ihdr& header, Transfer transfer, const std::string& where) {
+Result<Image> decode_pixels(spng_ctx* context, const spng_ihdr& header, Transfer transfer, AlphaForm alpha, const std::string& where) {
   const auto check = [&](int status) -> Result<void> {
     if (status != 0 && status != SPNG_EOI) {
       return fail(ErrorKind::malformed, where, fmt::format("the PNG data is broken: {}", spng_strerror(status)));
@@ -87,12 +88,13 @@ Result<Image> decode_pixels(spng_ctx* context, const spng_ihdr& header, Transfer
   spng_trns transparency{};
   const bool has_alpha = (header.color_type & 4) != 0 || spng_get_trns(context, &transparency) == 0;
   const bool is_gray = header.color_type == SPNG_COLOR_TYPE_GRAYSCALE;
-  return to_floats(rgba, header, has_alpha ? 4 : (is_gray ? 1 : 3), transfer);
+  return to_floats(rgba, header, has_alpha ? 4 : (is_gray ? 1 : 3), transfer, alpha);
 }
 
 }  // namespace
 
-Result<Image> decode_png(std::span<const std::byte> bytes, const std::string& where, Transfer transfer, const ImageLimits& limits) {
+Result<Image> decode_png(std::span<const std::byte> bytes, const std::string& where, Transfer transfer, const ImageLimits& limits,
+                         AlphaForm alpha) {
   const std::unique_ptr<spng_ctx, FreeContext> context(spng_ctx_new(0));
   if (!context) {
     return fail(ErrorKind::limit, where, "does not fit into memory");
@@ -119,8 +121,8 @@ Result<Image> decode_png(std::span<const std::byte> bytes, const std::string& wh
     return tl::unexpected(std::move(ok).error());
   }
   try {
-    return header.bit_depth == 16 ? decode_pixels<std::uint16_t>(context.get(), header, transfer, where)
-                                  : decode_pixels<std::uint8_t>(context.get(), header, transfer, where);
+    return header.bit_depth == 16 ? decode_pixels<std::uint16_t>(context.get(), header, transfer, alpha, where)
+                                  : decode_pixels<std::uint8_t>(context.get(), header, transfer, alpha, where);
   } catch (const std::bad_alloc&) {
     return fail(ErrorKind::limit, where, "does not fit into memory");
   }

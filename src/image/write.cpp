@@ -31,6 +31,11 @@ Result<std::vector<std::byte>> encode(ImageFormat format, const Image& image, co
       return encode_exr(image, {});
     case ImageFormat::pfm:
       return encode_pfm(image);
+    case ImageFormat::jpeg:
+    case ImageFormat::webp:
+    case ImageFormat::tga:
+    case ImageFormat::bmp:
+    case ImageFormat::hdr:
     case ImageFormat::unknown:
       break;
   }

@@ -199,7 +199,7 @@ TEST(ReadFile, FailuresNameTheFileAndTheReason) {
 TEST(ReadFile, AnEndlessDeviceIsRefusedByItsFirstBytes) {
   const auto result = read_image("/dev/zero");
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().text(), "/dev/zero: is neither a PNG nor an EXR nor a PFM file");
+  EXPECT_EQ(result.error().text(), "/dev/zero: is no image that is known: PNG, JPEG, WebP, TGA, BMP, Radiance HDR, EXR and PFM are read");
 }
 
 }  // namespace
