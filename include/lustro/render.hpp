@@ -152,6 +152,16 @@ struct ShadingExplanation {
   std::vector<LightExplanation> lights;
 };
 
+/// What one of the material's maps said in a pixel.
+struct MapExplanation {
+  std::string map;               ///< `diffuse`, `normal`, ...: what it drives
+  std::string name;              ///< TextureUse::name
+  float u = 0, v = 0;            ///< where it was looked up, in pictures
+  float level_of_detail = 0;     ///< log2 of the texels that a look spans; below 0: magnified
+  std::array<float, 4> value{};  ///< RGBA with gain and base
+  bool applies = true;           ///< false: the place lies outside a picture that leaves the material as it is there
+};
+
 /// One surface that a pixel shows, and with how many of its samples.
 struct FragmentExplanation {
   int object = 0;
@@ -166,7 +176,8 @@ struct FragmentExplanation {
   Vec3f barycentrics;
   Vec3f position;  ///< world
   Lighting lighting = Lighting::phong;
-  Material coefficients;  ///< linear
+  Material coefficients;  ///< linear, as the maps leave them
+  std::vector<MapExplanation> maps;
   std::vector<ShadingExplanation> shadings;
   Vec3f ambient, diffuse, specular, emission, fog;  ///< of the fragment
   float fog_factor = 1;

@@ -76,4 +76,19 @@ LUSTRO_INLINE F power(const F& x, const Exponent& exponent) {
   return select(x < F(kSmallestNormal), F(exponent.n < 0 ? 1.7014118e38F : 0.0F), result);
 }
 
+/// An exponent that differs from lane to lane: 0..10000.
+template <class F>
+struct LaneExponent {
+  F n;
+};
+
+/// The same by exp2(n log2 x), whether n is whole or not.
+template <class F>
+LUSTRO_INLINE F power(const F& x, const LaneExponent<F>& exponent) {
+  constexpr float kSmallestNormal = 1.17549435e-38F;
+  const F base = lane_max(x, F(kSmallestNormal));
+  const F result = exp2_of(exponent.n * log2_of(base));
+  return select(x < F(kSmallestNormal), select(exponent.n > F(0), F(0), F(1)), result);
+}
+
 }  // namespace lustro

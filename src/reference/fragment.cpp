@@ -3,64 +3,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <optional>
+#include <string>
 
+#include "reference/face.hpp"
+#include "scene/mapped_surface.hpp"
+#include "scene/prepare_maps.hpp"
 #include "scene/samples.hpp"
-#include "shade/interpolation.hpp"
+#include "shade/texturing.hpp"
 
 namespace lustro {
 namespace {
-
-// One triangle of a mesh with all that its shading asks for.
-struct Face {
-  const PreparedScene& scene;
-  const Instance& instance;
-  const ShadingMaterial& material;
-  std::array<std::uint32_t, 3> vertices;
-  float side;  // -1 where the back is seen and lit with its normals turned round
-
-  [[nodiscard]] Vec3f position(std::size_t i) const { return instance.relative_from_object(instance.mesh->positions[vertices[i]]); }
-
-  // A vertex's normal, world.
-  [[nodiscard]] Vec3f normal(std::size_t i) const {
-    const Vec3f n = instance.normal_from_object(instance.mesh->normals[vertices[i]]);
-    return (instance.is_similarity ? n : normalize(n)) * side;
-  }
-
-  // A similarity turns all normals alike, so that they are interpolated as the mesh has them and turned once.
-  [[nodiscard]] Vec3f normal_at(NormalInterpolation mode, const Vec3f& w) const {
-    const Weights<float> weights{w.x, w.y, w.z};
-    if (!instance.is_similarity) {
-      return interpolate_normal<float>(mode, {normal(0), normal(1), normal(2)}, weights, face_normal());
-    }
-    const std::vector<Vec3f>& n = instance.mesh->normals;
-    return instance.normal_from_object(
-               interpolate_normal<float>(mode, {n[vertices[0]], n[vertices[1]], n[vertices[2]]}, weights, normalize(object_normal()))) *
-           side;
-  }
-
-  // The face's normal of any length, from the object's own coordinates, where edges have all their digits; scaled, so that tiny faces do not
-  // underflow.
-  [[nodiscard]] Vec3f object_normal() const {
-    const Vec3f& a = instance.mesh->positions[vertices[0]];
-    const Vec3f ab = instance.mesh->positions[vertices[1]] - a;
-    const Vec3f ac = instance.mesh->positions[vertices[2]] - a;
-    const float size = std::max({std::abs(ab.x), std::abs(ab.y), std::abs(ab.z), std::abs(ac.x), std::abs(ac.y), std::abs(ac.z)});
-    const float scale = 1.0F / size;
-    return cross(ab * scale, ac * scale);
-  }
-  [[nodiscard]] Vec3f face_normal() const { return normalize(instance.normal_from_object(object_normal())) * side; }
-
-  // Vertex colours multiply the ambient and the diffuse coefficient.
-  [[nodiscard]] Vec3f tint(const Vec3f& w) const {
-    if (instance.drawable->colors.empty()) {
-      return {1, 1, 1};
-    }
-    return weighted_sum<float>(
-        {instance.drawable->colors[vertices[0]], instance.drawable->colors[vertices[1]], instance.drawable->colors[vertices[2]]},
-        {w.x, w.y, w.z});
-  }
-};
 
 void scale_terms(Terms<float>& terms, const Vec3f& by) {
   terms.ambient = terms.ambient * by;
@@ -76,45 +29,63 @@ struct Evaluation {
   std::vector<Vec3f> light_parts;  // filled when asked for
 };
 
-Evaluation evaluate(const Face& face, const Surface<float>& surface, const Vec3f& tint, bool wants_lights, ShadingExplanation* explanation) {
-  const PreparedScene& scene = face.scene;
+// The pixel's maps.
+struct Mapped {
+  WeightSlopes<float> slopes;
+  std::array<Footprint<float>, 2> at;
+  MapFactors<float> factors;
+};
+
+Coefficients<float> tinted(const Face& face, const Vec3f& tint) {
   Coefficients<float> k = face.material.coefficients;
   k.ambient = k.ambient * tint;
   k.diffuse = k.diffuse * tint;
+  return k;
+}
 
+// after  maps of a pixel that are laid upon the light of a face or a vertex, or null: of its parts alone, the terms are left as they are
+template <class N>
+Evaluation evaluate(const Face& face, const Surface<float>& surface, const Coefficients<float, N>& k, const Mapped* after, bool wants_lights,
+                    ShadingExplanation* explanation) {
+  const PreparedScene& scene = face.scene;
   Evaluation result;
   if (wants_lights) {
     result.light_parts.resize(scene.lights.size());
   }
-  result.terms = light_surface(face.material.lighting, surface, k, scene.ambient, scene.lights, scene.shading.normalized,
-                               [&](std::size_t i, const Incident<float>& in, const LightTerms<float>& part) {
-                                 if (wants_lights) {
-                                   result.light_parts[i] = (part.ambient + part.diffuse) + part.specular;
-                                 }
-                                 if (explanation != nullptr) {
-                                   const Vec3f& l = in.to_light;
-                                   const Vec3f sum = l + surface.to_eye;
-                                   explanation->lights.push_back({.light = static_cast<int>(i),
-                                                                  .name = scene.stated_lights[i].name,
-                                                                  .to_light = l,
-                                                                  .reflected = reflect_about(surface.normal, l),
-                                                                  .half = sum * (1.0F / std::max(length(sum), 1e-15F)),
-                                                                  .distance = in.distance,
-                                                                  .n_dot_l = dot(surface.normal, l),
-                                                                  .r_dot_v = r_dot_v(surface, l),
-                                                                  .n_dot_h = n_dot_h(surface, l),
-                                                                  .attenuation = in.attenuation,
-                                                                  .spot = in.spot,
-                                                                  .ambient = part.ambient,
-                                                                  .diffuse = part.diffuse,
-                                                                  .specular = part.specular});
-                                 }
-                               });
-  if (face.material.lighting != Lighting::constant) {
-    result.scene_part = k.ambient * scene.ambient + k.emission;
-  } else {
-    result.scene_part = k.diffuse;  // unlit: no light brings it
+  result.terms = light_surface(
+      face.material.lighting, surface, k, scene.ambient, scene.lights, scene.shading.normalized,
+      [&](std::size_t i, const Incident<float>& in, const LightTerms<float>& part) {
+        if (wants_lights) {
+          LightTerms<float> seen = part;
+          if (after != nullptr) {
+            seen = {part.ambient * after->factors.ambient, part.diffuse * after->factors.diffuse, part.specular * after->factors.specular};
+          }
+          result.light_parts[i] = (seen.ambient + seen.diffuse) + seen.specular;
+        }
+        if (explanation != nullptr) {
+          const Vec3f& l = in.to_light;
+          const Vec3f sum = l + surface.to_eye;
+          explanation->lights.push_back({.light = static_cast<int>(i),
+                                         .name = scene.stated_lights[i].name,
+                                         .to_light = l,
+                                         .reflected = reflect_about(surface.normal, l),
+                                         .half = sum * (1.0F / std::max(length(sum), 1e-15F)),
+                                         .distance = in.distance,
+                                         .n_dot_l = dot(surface.normal, l),
+                                         .r_dot_v = r_dot_v(surface, l),
+                                         .n_dot_h = n_dot_h(surface, l),
+                                         .attenuation = in.attenuation,
+                                         .spot = in.spot,
+                                         .ambient = part.ambient,
+                                         .diffuse = part.diffuse,
+                                         .specular = part.specular});
+        }
+      });
+  Terms<float> unlit{k.ambient * scene.ambient, k.diffuse, {}, k.emission};  // what no light brings
+  if (after != nullptr) {
+    modulate(after->factors, unlit);
   }
+  result.scene_part = face.material.lighting != Lighting::constant ? unlit.ambient + unlit.emission : unlit.diffuse;
   if (explanation != nullptr) {
     explanation->position = vec_cast<float>(vec_cast<double>(surface.position) + scene.view.eye);
     explanation->normal = surface.normal;
@@ -137,11 +108,16 @@ ShadingExplanation* add_shading(FragmentExplanation* explanation, float weight) 
   return &explanation->shadings.back();
 }
 
-Evaluation shade_flat(const Face& face, bool wants_lights, FragmentExplanation* explanation) {
+Evaluation shade_flat(const Face& face, const Mapped* mapped, bool wants_lights, FragmentExplanation* explanation) {
   const Vec3f center = ((face.position(0) + face.position(1)) + face.position(2)) * (1.0F / 3.0F);
   const Surface<float> surface{center, face.face_normal(), face.scene.view.to_eye_from(center)};
   constexpr float kThird = 1.0F / 3.0F;
-  return evaluate(face, surface, face.tint({kThird, kThird, kThird}), wants_lights, add_shading(explanation, 1));
+  Evaluation shading =
+      evaluate(face, surface, tinted(face, face.tint({kThird, kThird, kThird})), mapped, wants_lights, add_shading(explanation, 1));
+  if (mapped != nullptr) {
+    modulate(mapped->factors, shading.terms);
+  }
+  return shading;
 }
 
 // Clamped to 0..1 at the vertex: where the sum exceeds 1, all its terms are scaled down alike, so that they still sum to the colour.
@@ -156,7 +132,7 @@ void clamp_at_vertex(Evaluation& vertex) {
   }
 }
 
-Evaluation shade_gouraud(const Face& face, const Vec3f& weights, bool wants_lights, FragmentExplanation* explanation) {
+Evaluation shade_gouraud(const Face& face, const Vec3f& weights, const Mapped* mapped, bool wants_lights, FragmentExplanation* explanation) {
   const std::array<float, 3> w{weights.x, weights.y, weights.z};
   Evaluation sum;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -164,7 +140,7 @@ Evaluation shade_gouraud(const Face& face, const Vec3f& weights, bool wants_ligh
     const Surface<float> surface{position, face.normal(i), face.scene.view.to_eye_from(position)};
     const Vec3f corner{i == 0 ? 1.0F : 0.0F, i == 1 ? 1.0F : 0.0F, i == 2 ? 1.0F : 0.0F};
     ShadingExplanation* shading = add_shading(explanation, w[i]);
-    Evaluation vertex = evaluate(face, surface, face.tint(corner), wants_lights, shading);
+    Evaluation vertex = evaluate(face, surface, tinted(face, face.tint(corner)), mapped, wants_lights, shading);
     clamp_at_vertex(vertex);
     if (shading != nullptr) {
       shading->ambient = vertex.terms.ambient;
@@ -183,12 +159,57 @@ Evaluation shade_gouraud(const Face& face, const Vec3f& weights, bool wants_ligh
       add(sum.light_parts[l], vertex.light_parts[l]);
     }
   }
+  if (mapped != nullptr) {
+    modulate(mapped->factors, sum.terms);
+  }
   return sum;
 }
 
-Evaluation shade_phong(const Face& face, const Vec3f& weights, const Surface<float>& surface, bool wants_lights,
+Evaluation shade_phong(const Face& face, const Vec3f& weights, const Surface<float>& surface, const Mapped* mapped, bool wants_lights,
                        FragmentExplanation* explanation) {
-  return evaluate(face, surface, face.tint(weights), wants_lights, add_shading(explanation, 1));
+  ShadingExplanation* shading = add_shading(explanation, 1);
+  Coefficients<float> k = tinted(face, face.tint(weights));
+  if (mapped == nullptr) {
+    return evaluate(face, surface, k, nullptr, wants_lights, shading);
+  }
+  const ShadingMaps& maps = face.material.maps;
+  apply_factors(maps, mapped->factors, k);
+  if (!maps.has(MapKind::shininess)) {
+    return evaluate(face, surface, k, nullptr, wants_lights, shading);
+  }
+  const Coefficients<float, LaneExponent<float>> varying{k.ambient, k.diffuse, k.specular, k.emission,
+                                                         textured_shininess<TexelReader>(maps, mapped->at, k.shininess.n)};
+  return evaluate(face, surface, varying, nullptr, wants_lights, shading);
+}
+
+// The coefficients as the maps leave them, and what each map says.
+void explain_maps(const Face& face, const Mapped& mapped, FragmentExplanation& explanation) {
+  const ShadingMaps& maps = face.material.maps;
+  for (const MapRow& row : map_rows()) {
+    if (!maps.has(row.kind)) {
+      continue;
+    }
+    const ShadingMap& map = maps[row.kind];
+    const Footprint<float> at = on_map(map, mapped.at[map.uv_set]);
+    const MapValue<float> value = look_up<TexelReader>(map, mapped.at[map.uv_set]);
+    explanation.maps.push_back({.map = std::string(row.name),
+                                .name = (face.material.stated.textures.*row.use)->name,
+                                .u = at.u,
+                                .v = at.v,
+                                .level_of_detail = size_of_footprint(map.sampler, map.width, map.height, at).lod,
+                                .value = {value.rgb.x, value.rgb.y, value.rgb.z, value.alpha},
+                                .applies = value.applies > 0});
+  }
+  Material& k = explanation.coefficients;
+  Coefficients<float> textured{k.ambient.rgb, k.diffuse.rgb, k.specular.rgb, k.emission.rgb, k.shininess};
+  apply_factors(maps, mapped.factors, textured);
+  k.ambient.rgb = textured.ambient;
+  k.diffuse.rgb = textured.diffuse;
+  k.specular.rgb = textured.specular;
+  k.emission.rgb = textured.emission;
+  if (maps.has(MapKind::shininess)) {
+    k.shininess = textured_shininess<TexelReader>(maps, mapped.at, k.shininess).n;
+  }
 }
 
 }  // namespace
@@ -212,17 +233,30 @@ Fragment shade_fragment(const PreparedScene& scene, const ScreenTriangle& t, std
   fragment.albedo = material.albedo * face.tint(at.weights);
   fragment.normal = scene.shading.interpolation == Interpolation::flat ? face.face_normal() : face.normal_at(scene.shading.normals, at.weights);
 
+  std::optional<Mapped> maps;
+  if (material.maps.has_any()) {
+    const Weights<float> w{at.weights.x, at.weights.y, at.weights.z};
+    maps.emplace().slopes = weight_slopes_at(scene.view, t, px, py);
+    maps->at = footprints_on<float>(face, w, maps->slopes);
+    maps->factors = map_factors<TexelReader>(material.maps, maps->at);
+    fragment.albedo = textured_albedo(material.maps, maps->factors, fragment.albedo);
+    if (material.maps.changes_normal()) {
+      fragment.normal = mapped_normal<TexelReader>(face, scene.shading.normals, w, maps->slopes, maps->at, fragment.normal);
+    }
+  }
+  const Mapped* mapped = maps ? &*maps : nullptr;
+
   Evaluation shading;
   switch (scene.shading.interpolation) {
     case Interpolation::flat:
-      shading = shade_flat(face, !light_parts.empty(), explanation);
+      shading = shade_flat(face, mapped, !light_parts.empty(), explanation);
       break;
     case Interpolation::gouraud:
-      shading = shade_gouraud(face, at.weights, !light_parts.empty(), explanation);
+      shading = shade_gouraud(face, at.weights, mapped, !light_parts.empty(), explanation);
       break;
     case Interpolation::phong:
-      shading =
-          shade_phong(face, at.weights, {fragment.position, fragment.normal, scene.view.to_eye_at(x, y)}, !light_parts.empty(), explanation);
+      shading = shade_phong(face, at.weights, {fragment.position, fragment.normal, scene.view.to_eye_at(x, y)}, mapped, !light_parts.empty(),
+                            explanation);
       break;
   }
   float clear = 1;  // the fog's factor
@@ -252,6 +286,9 @@ Fragment shade_fragment(const PreparedScene& scene, const ScreenTriangle& t, std
     explanation->position = vec_cast<float>(vec_cast<double>(fragment.position) + scene.view.eye);
     explanation->lighting = material.lighting;
     explanation->coefficients = material.stated;
+    if (mapped != nullptr) {
+      explain_maps(face, *mapped, *explanation);
+    }
     explanation->ambient = fragment.terms.ambient;
     explanation->diffuse = fragment.terms.diffuse;
     explanation->specular = fragment.terms.specular;

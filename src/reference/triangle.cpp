@@ -128,7 +128,13 @@ float depth_key_at(const ScreenTriangle& t, const std::array<std::int64_t, 3>& e
   return (t.depth_key[0] + slope1 * static_cast<float>(edges[1])) + slope2 * static_cast<float>(edges[2]);
 }
 
-Interpolants interpolants_at(const View& view, const ScreenTriangle& t, std::int32_t px, std::int32_t py) {
+namespace {
+
+// Weights of the screen triangle's own corners.
+struct CornerWeights {
+  float key, w0, w1, w2;
+};
+CornerWeights corner_weights_at(const View& view, const ScreenTriangle& t, std::int32_t px, std::int32_t py) {
   const std::array<std::int64_t, 3> edges = edges_at(t, px, py);
   const float key = depth_key_at(t, edges);
   const float inverse_area = 1.0F / static_cast<float>(t.area2);
@@ -139,11 +145,32 @@ Interpolants interpolants_at(const View& view, const ScreenTriangle& t, std::int
     w1 = (w1 * t.depth_key[1]) * depth;
     w2 = (w2 * t.depth_key[2]) * depth;
   }
-  const float w0 = (1.0F - w1) - w2;
+  return {key, (1.0F - w1) - w2, w1, w2};
+}
+
+// From the corners of the screen triangle to the vertices of the mesh's: linear, so for weights and their slopes alike.
+Vec3f at_vertices(const ScreenTriangle& t, float w0, float w1, float w2) {
   if (!t.is_clipped) {
-    return {key, t.is_swapped ? Vec3f{w0, w2, w1} : Vec3f{w0, w1, w2}};
+    return t.is_swapped ? Vec3f{w0, w2, w1} : Vec3f{w0, w1, w2};
   }
-  return {key, (t.corner_weights[0] * w0 + t.corner_weights[1] * w1) + t.corner_weights[2] * w2};
+  return (t.corner_weights[0] * w0 + t.corner_weights[1] * w1) + t.corner_weights[2] * w2;
+}
+
+}  // namespace
+
+Interpolants interpolants_at(const View& view, const ScreenTriangle& t, std::int32_t px, std::int32_t py) {
+  const CornerWeights at = corner_weights_at(view, t, px, py);
+  return {at.key, at_vertices(t, at.w0, at.w1, at.w2)};
+}
+
+WeightSlopes<float> weight_slopes_at(const View& view, const ScreenTriangle& t, std::int32_t px, std::int32_t py) {
+  const CornerWeights at = corner_weights_at(view, t, px, py);
+  const WeightSlopes<float> corners =
+      weight_slopes<float>(view.projection == Projection::perspective, t.x, t.y, 1.0F / static_cast<float>(t.area2), t.depth_key, at.w1, at.w2,
+                           depth_of(view, at.key));
+  const Vec3f dx = at_vertices(t, corners.dx[0], corners.dx[1], corners.dx[2]);
+  const Vec3f dy = at_vertices(t, corners.dy[0], corners.dy[1], corners.dy[2]);
+  return {{dx.x, dx.y, dx.z}, {dy.x, dy.y, dy.z}};
 }
 
 void setup_triangle(const PreparedScene& scene, std::uint32_t instance_index, std::uint32_t index, std::vector<ScreenTriangle>& out) {

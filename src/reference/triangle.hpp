@@ -48,6 +48,9 @@ struct Interpolants {
 [[nodiscard]] float depth_key_at(const ScreenTriangle& t, const std::array<std::int64_t, 3>& edges);
 [[nodiscard]] Interpolants interpolants_at(const View& view, const ScreenTriangle& t, std::int32_t px, std::int32_t py);
 
+/// How those weights change there, a pixel to the right and a pixel down.
+[[nodiscard]] WeightSlopes<float> weight_slopes_at(const View& view, const ScreenTriangle& t, std::int32_t px, std::int32_t py);
+
 /// Appends what of triangle `index` of an instance may cover samples of the image.
 void setup_triangle(const PreparedScene& scene, std::uint32_t instance, std::uint32_t index, std::vector<ScreenTriangle>& out);
 

@@ -37,9 +37,10 @@ Result<void> check_mesh(const Mesh& mesh, int threads, const std::string& where)
     return fail(ErrorKind::limit, where, fmt::format("has {} vertices; at most {} can be drawn", vertices, kMostVertices));
   }
   const auto fits = [vertices](std::size_t size) { return size == 0 || size == vertices; };
-  if (!fits(mesh.normals.size()) || !fits(mesh.uvs.size()) || !fits(mesh.colors.size())) {
+  if (!fits(mesh.normals.size()) || !fits(mesh.uvs.size()) || !fits(mesh.uvs1.size()) || !fits(mesh.tangents.size()) ||
+      !fits(mesh.colors.size())) {
     return fail(ErrorKind::usage, where,
-                fmt::format("normals, uvs and colors must be empty or have one entry for each of the {} positions", vertices));
+                fmt::format("normals, uvs, uvs1, tangents and colors must be empty or have one entry for each of the {} positions", vertices));
   }
   if (!all_of(vertices, threads, [&](std::size_t i) { return is_finite(mesh.positions[i]); })) {
     return fail(ErrorKind::usage, where, "has a position that is not finite");

@@ -8,7 +8,9 @@
 #include <limits>
 
 #include "image/srgb.hpp"
+#include "math/power.hpp"
 #include "math/trig.hpp"
+#include "scene/prepare_maps.hpp"
 
 namespace lustro {
 namespace {
@@ -116,6 +118,7 @@ Result<void> place(Instance& instance, const Mat4& m, const View& view, const st
     c = c * ((determinant < 0 ? -1 : 1) / largest);
   }
   instance.is_mirrored = determinant < 0;
+  instance.size = power(static_cast<float>(std::clamp(std::abs(determinant), 1e-30, 1e30)), Exponent(1.0F / 3));
   instance.is_similarity = keeps_angles(cofactors);
   if (instance.is_similarity) {
     for (Vec3d& c : cofactors) {
@@ -228,7 +231,10 @@ Result<void> add_object(PreparedScene& prepared, const Scene& scene, std::size_t
     if (materials == prepared.materials.size()) {
       prepared.materials.emplace_back();
     }
-    prepare_material(material, scene.shading, prepared.transfer, prepared.materials[materials++]);
+    ShadingMaterial& shading = prepared.materials[materials++];
+    prepare_material(material, scene.shading, prepared.transfer, shading);
+    shading.maps = prepare_maps(material, *instance.mesh, scene.shading, where, prepared.notes);
+    prepared.has_maps = prepared.has_maps || shading.maps.has_any();
   };
   if (instance.has_own_materials) {
     std::for_each(instance.mesh->materials.begin(), instance.mesh->materials.end(), add);
@@ -295,6 +301,7 @@ Result<void> prepare(const Scene& scene, MeshCache& cache, int threads, Prepared
   prepared.lights.clear();
   prepared.notes.clear();
   prepared.triangle_count = 0;
+  prepared.has_maps = false;
   if (auto checked = check_image(scene.image); !checked) {
     return tl::unexpected(checked.error());
   }

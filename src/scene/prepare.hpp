@@ -14,6 +14,7 @@
 #include "scene/view.hpp"
 #include "shade/fog.hpp"
 #include "shade/lighting.hpp"
+#include "shade/texturing.hpp"
 
 namespace lustro {
 
@@ -25,6 +26,12 @@ struct AffineRows {
     const auto row = [&](std::size_t i) { return ((F(m[i]) * p.x + F(m[i + 1]) * p.y) + F(m[i + 2]) * p.z) + F(m[i + 3]); };
     return {row(0), row(4), row(8)};
   }
+  /// Of a direction: without the translation.
+  template <class F>
+  [[nodiscard]] Vec3<F> turned(const Vec3<F>& d) const {
+    const auto row = [&](std::size_t i) { return (F(m[i]) * d.x + F(m[i + 1]) * d.y) + F(m[i + 2]) * d.z; };
+    return {row(0), row(4), row(8)};
+  }
 };
 
 /// A material ready for shading. Coefficients of terms that are switched off are 0.
@@ -33,6 +40,7 @@ struct ShadingMaterial {
   Vec3f albedo;  ///< k_d, linear, also when the diffuse term is off
   Lighting lighting = Lighting::phong;
   Material stated;  ///< as the scene states it, with linear colours
+  ShadingMaps maps;
 };
 
 /// One object's mesh at its place.
@@ -45,6 +53,7 @@ struct Instance {
   bool has_own_materials = false;    ///< false: every triangle has first_material
   bool is_mirrored = false;          ///< the matrix turns the winding round
   bool is_similarity = false;        ///< the matrix keeps angles: normals may be interpolated before they are turned
+  float size = 1;                    ///< how many times larger than the mesh it is drawn: the cube root of the growth of its volume
   Vec3d eye;                         ///< object space, for a similarity: where the eye stands, or the way that an orthographic view looks
 
   AffineRows image_from_object;     ///< (pixels * depth from the image's centre, x and y; depth), orthographic: (pixels, pixels, depth)
@@ -69,6 +78,7 @@ struct PreparedScene {
   std::optional<ShadingFog> fog;
   std::array<float, 4> background{};  ///< linear, premultiplied
   std::uint32_t triangle_count = 0;
+  bool has_maps = false;  ///< of any material
   Notes notes;
 };
 

@@ -30,10 +30,11 @@ struct Surface {
 };
 
 /// The material at that point. A term that is switched off has its coefficient 0.
-template <class F>
+/// N  Exponent where n is the same in all lanes, LaneExponent<F> where a map changes it
+template <class F, class N = Exponent>
 struct Coefficients {
   Vec3<F> ambient, diffuse, specular, emission;
-  Exponent shininess;  ///< n, the same in all lanes
+  N shininess;  ///< n
 };
 
 /// A light, ready to shine: scene/prepare.cpp makes it from lustro::Light. The same for all lanes.
@@ -140,18 +141,18 @@ LUSTRO_INLINE F n_dot_h(const Surface<F>& s, const Vec3<F>& to_light) {
 /// N.L.
 ///   phong        (n + 2) / 2                            Lafortune and Willems 1994, times pi for classic units
 ///   blinn-phong  (n + 2) (n + 4) / (8 (2^(-n/2) + n))   exact at normal incidence, times pi
-template <Lighting model>
-LUSTRO_INLINE float lobe_normalization(float n) {
+template <Lighting model, class N>
+LUSTRO_INLINE N lobe_normalization(N n) {
   if constexpr (model == Lighting::phong) {
-    return (n + 2.0F) * 0.5F;
+    return (n + N(2)) * N(0.5F);
   } else {
-    return ((n + 2.0F) * (n + 4.0F)) / (8.0F * (exp2_of(n * -0.5F) + n));
+    return ((n + N(2)) * (n + N(4))) / (N(8) * (exp2_of(n * N(-0.5F)) + n));
   }
 }
 
 /// spec, gated: 0 where N.L <= 0.
-template <Lighting model, class F>
-LUSTRO_INLINE F specular_factor(const Surface<F>& s, const Exponent& shininess, const Vec3<F>& to_light, const F& n_dot_l, bool normalized) {
+template <Lighting model, class F, class N>
+LUSTRO_INLINE F specular_factor(const Surface<F>& s, const N& shininess, const Vec3<F>& to_light, const F& n_dot_l, bool normalized) {
   F cosine;
   if constexpr (model == Lighting::phong) {
     cosine = r_dot_v(s, to_light);
@@ -175,14 +176,14 @@ struct Reflection {
   Vec3<K> ambient, diffuse, specular;
 };
 
-template <class K>
-LUSTRO_INLINE Reflection<K> reflection_of(const Coefficients<K>& k, const ShadingLight& light) {
+template <class K, class N>
+LUSTRO_INLINE Reflection<K> reflection_of(const Coefficients<K, N>& k, const ShadingLight& light) {
   return {k.ambient * vec_cast<K>(light.ambient), k.diffuse * vec_cast<K>(light.diffuse), k.specular * vec_cast<K>(light.specular)};
 }
 
 /// f s [ k_a l_a + k_d l_d max(N.L, 0) + k_s l_s spec ]: one light's part.
-template <Lighting model, class F, class K>
-LUSTRO_INLINE LightTerms<F> reflect_light(const Surface<F>& s, const Reflection<K>& k, const Exponent& shininess, const Incident<F>& in,
+template <Lighting model, class F, class K, class N>
+LUSTRO_INLINE LightTerms<F> reflect_light(const Surface<F>& s, const Reflection<K>& k, const N& shininess, const Incident<F>& in,
                                           bool normalized) {
   const F strength = in.attenuation * in.spot;
   const F n_dot_l = dot(s.normal, in.to_light);
@@ -197,8 +198,8 @@ LUSTRO_INLINE LightTerms<F> reflect_light(const Surface<F>& s, const Reflection<
 }
 
 /// The whole equation at one point. reflection_at(i) is reflection_of() light i; visit(i, incident, part) sees every light's part, in order.
-template <Lighting model, class F, class K, class ReflectionAt, class Visit>
-LUSTRO_INLINE Terms<F> light_surface(const Surface<F>& s, const Coefficients<K>& k, const Vec3f& ambient_light,
+template <Lighting model, class F, class K, class N, class ReflectionAt, class Visit>
+LUSTRO_INLINE Terms<F> light_surface(const Surface<F>& s, const Coefficients<K, N>& k, const Vec3f& ambient_light,
                                      std::span<const ShadingLight> lights, bool normalized, ReflectionAt&& reflection_at, Visit&& visit) {
   if constexpr (model == Lighting::constant) {
     return {{}, vec_cast<F>(k.diffuse), {}, {}};
@@ -217,8 +218,8 @@ LUSTRO_INLINE Terms<F> light_surface(const Surface<F>& s, const Coefficients<K>&
 }
 
 /// The same with the model chosen at run time.
-template <class F, class K, class ReflectionAt, class Visit>
-LUSTRO_INLINE Terms<F> light_surface(Lighting model, const Surface<F>& s, const Coefficients<K>& k, const Vec3f& ambient_light,
+template <class F, class K, class N, class ReflectionAt, class Visit>
+LUSTRO_INLINE Terms<F> light_surface(Lighting model, const Surface<F>& s, const Coefficients<K, N>& k, const Vec3f& ambient_light,
                                      std::span<const ShadingLight> lights, bool normalized, ReflectionAt&& reflection_at, Visit&& visit) {
   switch (model) {
     case Lighting::constant:
@@ -234,8 +235,8 @@ LUSTRO_INLINE Terms<F> light_surface(Lighting model, const Surface<F>& s, const 
 }
 
 /// The same from the coefficients alone.
-template <class F, class Visit>
-LUSTRO_INLINE Terms<F> light_surface(Lighting model, const Surface<F>& s, const Coefficients<F>& k, const Vec3f& ambient_light,
+template <class F, class N, class Visit>
+LUSTRO_INLINE Terms<F> light_surface(Lighting model, const Surface<F>& s, const Coefficients<F, N>& k, const Vec3f& ambient_light,
                                      std::span<const ShadingLight> lights, bool normalized, Visit&& visit) {
   return light_surface(
       model, s, k, ambient_light, lights, normalized, [&](std::size_t i) { return reflection_of(k, lights[i]); }, visit);

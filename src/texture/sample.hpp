@@ -199,6 +199,12 @@ LUSTRO_INLINE FootprintSize<F> size_of_footprint(const Sampler& sampler, float w
   return size;
 }
 
+/// A level of detail between the picture itself, 0, and its smallest level.
+template <class F>
+LUSTRO_INLINE F limit_lod(const F& lod, std::int32_t level_count) {
+  return lane_max(lane_min(lod, to_float(IntOf<F>(level_count - 1))), F(0));
+}
+
 /// Where a look at (u, v) finds its texels: the same for all textures of one size that are looked up alike.
 template <class F, class Fetch>
 LUSTRO_INLINE Places<F> places_at(const Sampler& sampler, const Fetch& fetch, const F& u, const F& v, const F& lod) {
@@ -210,7 +216,7 @@ LUSTRO_INLINE Places<F> places_at(const Sampler& sampler, const Fetch& fetch, co
       sampler.magnify == TextureFilter::linear && sampler.minify == TextureFilter::nearest && sampler.mip != MipFilter::none;
   const auto is_magnified = lod <= F(has_soft_change ? 0.5F : 0.0F);  // c of 8.15
   const std::int32_t last = fetch.level_count() - 1;
-  const F limited = lane_max(lane_min(lod, to_float(I(last))), F(0));
+  const F limited = limit_lod(lod, fetch.level_count());
   Places<F> places{};
   places.blend = F(0);
   switch (sampler.mip) {

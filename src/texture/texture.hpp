@@ -1,7 +1,7 @@
 // A picture as it is looked up: texels of all mip levels in one block of memory.
 //
 // Texels are straight RGBA in linear light (or data, as they stand), never premultiplied. Values of 0..1 are kept as 16 bits a channel, 8 bytes
-// a texel: a step of an 8-bit sRGB picture is at least 39 times a step of these, so that no code moves by more than 1/40 of the step to its
+// a texel: the smallest step of an 8-bit sRGB picture is 19.9 steps of these, and no code moves by more than 1/40 of the step to its
 // neighbour; an 8-bit data value v is stored as v 257, which is no rounding at all. A picture with any other value is kept as floats.
 #pragma once
 

@@ -119,5 +119,17 @@ TEST(Power, StaysBelowItsStatedErrorForExponentsOfMaterials) {
   EXPECT_LT(worst, 1e-6);
 }
 
+TEST(Power, AnExponentOfItsOwnLaneAgreesWithTheOneOfAllLanes) {
+  for (const float n : {0.0F, 0.25F, 1.0F, 7.5F, 20.0F, 256.0F, 1000.0F}) {
+    for (const float x : {0.0F, -0.5F, 1e-10F, 0.3F, 0.9F, 0.999F, 1.0F}) {
+      const float expected = power(x, Exponent(n));
+      EXPECT_NEAR(power(x, LaneExponent<float>{n}), expected, 2e-5F * expected + 1e-29F) << x << "^" << n;
+    }
+  }
+  EXPECT_EQ(power(0.0F, LaneExponent<float>{0}), 1);
+  EXPECT_EQ(power(0.0F, LaneExponent<float>{0.5F}), 0);
+  EXPECT_EQ(power(1.0F, LaneExponent<float>{3.7F}), 1);
+}
+
 }  // namespace
 }  // namespace lustro

@@ -105,8 +105,9 @@ double albedo(Lighting model, double shininess, double eye_degrees, bool normali
       const double phi = (spoke + 0.5) / spokes * 2 * textbook::kPi;
       const Vec3d l{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
       const float n_dot_l = static_cast<float>(l.z);
-      const float spec = model == Lighting::phong ? specular_factor<Lighting::phong>(s, n, vec_cast<float>(l), n_dot_l, normalized)
-                                                  : specular_factor<Lighting::blinn_phong>(s, n, vec_cast<float>(l), n_dot_l, normalized);
+      const float spec = model == Lighting::phong
+                             ? specular_factor<Lighting::phong>(s, Exponent(n), vec_cast<float>(l), n_dot_l, normalized)
+                             : specular_factor<Lighting::blinn_phong>(s, Exponent(n), vec_cast<float>(l), n_dot_l, normalized);
       sum += static_cast<double>(spec) * std::sin(theta);
     }
   }

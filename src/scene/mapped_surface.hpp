@@ -1,0 +1,80 @@
+// What maps do to the surface of one triangle of a prepared scene: the steps between a mesh's vertices and shade/texturing.hpp, once for the
+// reference's face (reference/face.hpp, F = float) and for the kernels' faces (F = N floats).
+//
+// AnyFace offers: instance, material, side, and of vertex i
+//   Vec3<F> stated_position(i), stated_normal(i)       the mesh's own, object space
+//   Vec3<F> normal(i)                                  world, unit, times side
+//   std::array<F, 4> stated_tangent(i)                 Mesh::tangents
+//   Vec2<F> stated_uv(set, i)                          Mesh::uvs, Mesh::uvs1
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "scene/prepare.hpp"
+#include "shade/interpolation.hpp"
+#include "shade/texturing.hpp"
+
+namespace lustro {
+
+/// The footprints of both sets of texture coordinates; of a set that no map lies on: nothing.
+template <class F, class AnyFace>
+LUSTRO_INLINE std::array<Footprint<F>, 2> footprints_on(const AnyFace& face, const Weights<F>& w, const WeightSlopes<F>& slopes) {
+  std::array<Footprint<F>, 2> at{};
+  for (std::size_t set = 0; set < 2; ++set) {
+    if ((face.material.maps.uv_sets >> set & 1U) != 0) {
+      at[set] = footprint_at<F>({face.stated_uv(set, 0), face.stated_uv(set, 1), face.stated_uv(set, 2)}, w, slopes);
+    }
+  }
+  return at;
+}
+
+/// A normal map's vector out of the frame of the vertices' tangents and normals, of any length. A similarity turns the whole frame at once.
+template <class F, class AnyFace>
+LUSTRO_INLINE Vec3<F> from_tangent_frame_of(const AnyFace& face, NormalInterpolation mode, const Weights<F>& w, const Vec3<F>& value) {
+  const Instance& instance = face.instance;
+  const bool turns_once = instance.is_similarity;
+  std::array<Vec3<F>, 3> normals, tangents;
+  std::array<F, 3> handedness;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::array<F, 4> stated = face.stated_tangent(i);
+    const Vec3<F> tangent{stated[0], stated[1], stated[2]};
+    normals[i] = turns_once ? face.stated_normal(i) : face.normal(i) * face.side;  // of the front
+    tangents[i] = turns_once ? tangent : unit_or(instance.relative_from_object.turned(tangent), Vec3<F>{});
+    handedness[i] = !turns_once && instance.is_mirrored ? -stated[3] : stated[3];
+  }
+  const Vec3<F> normal = mode == NormalInterpolation::lerp ? weighted_sum(normals, w) : slerp_normal(normals, w, normals[0]);
+  const F sign = (handedness[0] * w[0] + handedness[1] * w[1]) + handedness[2] * w[2];
+  const Vec3<F> result = from_tangent_frame(value, weighted_sum(tangents, w), sign, normal);
+  return turns_once ? instance.normal_from_object.turned(result) : result;
+}
+
+/// The normal that is lit, where a map changes it: the normal map first, the bumps upon it. Maps speak of the front; seen from behind with
+/// two_sided, all is turned round together.
+///
+/// at      footprints_on()
+/// normal  the interpolated one, world, unit, times side
+template <class Fetch, class F, class AnyFace>
+LUSTRO_INLINE Vec3<F> mapped_normal(const AnyFace& face, NormalInterpolation mode, const Weights<F>& w, const WeightSlopes<F>& slopes,
+                                    const std::array<Footprint<F>, 2>& at, const Vec3<F>& normal) {
+  const Instance& instance = face.instance;
+  const ShadingMaps& maps = face.material.maps;
+  Vec3<F> n = normal * face.side;
+  if (maps.has(MapKind::normal)) {
+    const MapValue<F> value = look_up_normal<Fetch>(maps, at);
+    const Vec3<F> stated =
+        maps.normal_is_object_space ? instance.normal_from_object.turned(value.rgb) : from_tangent_frame_of(face, mode, w, value.rgb);
+    n = stated_normal(stated, value.applies, n);
+  }
+  if (maps.has(MapKind::bump)) {
+    const ShadingMap& map = maps[MapKind::bump];
+    const Vec3<F> a = face.stated_position(0);
+    const SurfaceSlopes<F> surface = surface_slopes(instance.relative_from_object.turned(face.stated_position(1) - a),
+                                                    instance.relative_from_object.turned(face.stated_position(2) - a), slopes);
+    const HeightSlopes<F> heights = height_slopes<Fetch>(map, at[map.uv_set]);
+    n = bumped_normal(n, surface, {heights.dx * F(instance.size), heights.dy * F(instance.size)});
+  }
+  return n * face.side;
+}
+
+}  // namespace lustro

@@ -1,0 +1,107 @@
+// See prepare_maps.hpp.
+#include "scene/prepare_maps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace lustro {
+namespace {
+
+constexpr std::array kRows{
+    MapRow{MapKind::ambient, "ambient", &MaterialTextures::ambient},
+    MapRow{MapKind::diffuse, "diffuse", &MaterialTextures::diffuse},
+    MapRow{MapKind::specular, "specular", &MaterialTextures::specular},
+    MapRow{MapKind::emission, "emission", &MaterialTextures::emission},
+    MapRow{MapKind::shininess, "shininess", &MaterialTextures::shininess},
+    MapRow{MapKind::decal, "decal", &MaterialTextures::decal},
+    MapRow{MapKind::bump, "bump", &MaterialTextures::bump},
+    MapRow{MapKind::normal, "normal", &MaterialTextures::normal},
+};
+static_assert(kRows.size() == kMapKinds);
+
+// Each note once, however many objects share the material.
+void add_note(Notes& notes, Note note) {
+  if (std::find(notes.begin(), notes.end(), note) == notes.end()) {
+    notes.push_back(std::move(note));
+  }
+}
+
+// What only the equation at the pixel itself can use.
+bool is_of_the_pixel(MapKind kind) {
+  return kind == MapKind::shininess || kind == MapKind::decal || kind == MapKind::bump || kind == MapKind::normal;
+}
+
+bool is_of_a_term_that_is_off(MapKind kind, const TermSet& terms) {
+  switch (kind) {
+    case MapKind::ambient:
+      return !terms.ambient;
+    case MapKind::specular:
+      return !terms.specular;
+    case MapKind::emission:
+      return !terms.emission;
+    default:  // the diffuse one is the albedo, too
+      return false;
+  }
+}
+
+ShadingMap prepare_map(const TextureUse& use) {
+  ShadingMap map;
+  map.texels = use.texture->layout();
+  map.width = static_cast<float>(use.texture->width());
+  map.height = static_cast<float>(use.texture->height());
+  map.sampler = use.sampler;
+  map.sampler.anisotropy = std::clamp(use.sampler.anisotropy, 1, 16);
+  map.uv_set = use.uv_set;
+  map.channel = use.channel;
+  map.leaves_outside = use.leaves_outside;
+  map.uv_matrix = use.uv_matrix;
+  map.gain = use.gain;
+  map.base = use.base;
+  return map;
+}
+
+}  // namespace
+
+std::span<const MapRow> map_rows() {
+  return kRows;
+}
+
+bool wants_tangents(const Material& material, const Shading& shading) {
+  const MaterialTextures& textures = material.textures;
+  return shading.interpolation == Interpolation::phong && textures.normal && textures.normal->texture && !textures.normal_is_object_space;
+}
+
+ShadingMaps prepare_maps(const Material& material, const Mesh& mesh, const Shading& shading, const std::string& where, Notes& notes) {
+  const MaterialTextures& textures = material.textures;
+  ShadingMaps maps;
+  maps.decal_on_ambient = shading.terms.ambient;
+  maps.decal_on_diffuse = shading.terms.diffuse;
+  maps.normal_is_object_space = textures.normal_is_object_space;
+  for (const MapRow& row : kRows) {
+    const std::optional<TextureUse>& use = textures.*row.use;
+    if (!use || is_of_a_term_that_is_off(row.kind, shading.terms)) {
+      continue;
+    }
+    const auto leave_out = [&](const std::string& why) { add_note(notes, {where, fmt::format("its {} map is left out: {}", row.name, why)}); };
+    if (!use->texture) {
+      leave_out("it has no texture");
+    } else if (use->uv_set > 1 || (use->uv_set == 0 ? mesh.uvs : mesh.uvs1).empty()) {
+      leave_out(fmt::format("the mesh has no texture coordinates {}", use->uv_set));
+    } else if (shading.interpolation != Interpolation::phong && is_of_the_pixel(row.kind)) {
+      leave_out("it needs interpolation phong");
+    } else if (row.kind == MapKind::normal && !textures.normal_is_object_space && mesh.tangents.empty()) {
+      leave_out("the mesh has no tangents");
+    } else {
+      maps[row.kind] = prepare_map(*use);
+      maps.present |= 1U << static_cast<unsigned>(row.kind);
+      maps.uv_sets |= 1U << use->uv_set;
+    }
+  }
+  if (textures.opacity) {
+    add_note(notes, {where, "its opacity map is left out: surfaces are drawn opaque"});
+  }
+  return maps;
+}
+
+}  // namespace lustro

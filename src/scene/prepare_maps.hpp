@@ -1,0 +1,35 @@
+// A material's textures made ready for drawing: which of them have something to say where they are drawn, and the numbers that kernels read.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "lustro/material.hpp"
+#include "lustro/mesh.hpp"
+#include "lustro/scene.hpp"
+#include "shade/texturing.hpp"
+
+namespace lustro {
+
+/// The name of a map, and where a material keeps it.
+struct MapRow {
+  MapKind kind;
+  std::string_view name;
+  std::optional<TextureUse> MaterialTextures::*use;
+};
+[[nodiscard]] std::span<const MapRow> map_rows();
+
+/// Whether a material's tangent-space normal map asks its mesh for tangents.
+[[nodiscard]] bool wants_tangents(const Material& material, const Shading& shading);
+
+/// Maps that cannot be drawn are left out with a note: without a texture, without the mesh's texture coordinates, or of what only a pixel's own
+/// lighting knows where light is not calculated in the pixel. Those of terms that are off are left out without one.
+///
+/// where  for notes: `objects[3]`
+[[nodiscard]] ShadingMaps prepare_maps(const Material& material, const Mesh& mesh, const Shading& shading, const std::string& where,
+                                       Notes& notes);
+
+}  // namespace lustro
