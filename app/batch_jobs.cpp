@@ -47,8 +47,18 @@ fs::path absolute_place(const fs::path& file) {
 }
 
 bool is_drawable(const fs::path& file) {
-  const MeshFormat format = mesh_format_of_name(file);
-  return format == MeshFormat::obj || format == MeshFormat::ply || format == MeshFormat::stl;
+  switch (mesh_format_of_name(file)) {
+    case MeshFormat::obj:
+    case MeshFormat::ply:
+    case MeshFormat::stl:
+    case MeshFormat::off:
+      return true;
+    case MeshFormat::gltf:
+    case MeshFormat::glb:
+    case MeshFormat::unknown:
+      break;
+  }
+  return false;
 }
 
 Result<void> collect_folder(const fs::path& folder, bool recursive, std::vector<fs::path>& files) {
@@ -177,7 +187,7 @@ Result<std::vector<BatchJob>> batch_jobs(const BatchInputs& inputs, const fs::pa
   }
   if (models.empty()) {
     return fail(ErrorKind::usage, "",
-                fmt::format("there is no model to draw: no .obj, .ply or .stl file in {}",
+                fmt::format("there is no model to draw: no .obj, .ply, .stl or .off file in {}",
                             inputs.list.empty() ? fmt::format("{}", fmt::join(inputs.arguments, ", ")) : inputs.list));
   }
   drop_repeated(models);

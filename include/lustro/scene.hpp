@@ -133,7 +133,7 @@ struct LoadOptions {
 /// A scene file or a bare mesh file, by content. A bare mesh is the scene with that one object, lit on both sides.
 [[nodiscard]] Result<LoadedScene> load_scene(const std::filesystem::path& file, const LoadOptions& options = {});
 
-/// A mesh file as it states itself (OBJ, PLY, STL): by content first, then by extension. The MTL files that an OBJ names are read from its
+/// A mesh file as it states itself (OBJ, PLY, STL, OFF): by content first, then by extension. The MTL files that an OBJ names are read from its
 /// folder.
 [[nodiscard]] Result<SourceMesh> load_mesh_file(const std::filesystem::path& file, const LoadOptions& options = {});
 

@@ -14,6 +14,7 @@
 
 #include "io/mesh_format.hpp"
 #include "io/obj.hpp"
+#include "io/off.hpp"
 #include "io/ply.hpp"
 #include "io/ply_direct.hpp"
 #include "io/read_file.hpp"
@@ -104,13 +105,15 @@ Result<ReadMesh> load(const fs::path& file, const LoadOptions& options, bool for
       return as_read_mesh(parse_any_ply(bytes, name));
     case MeshFormat::stl:
       return as_read_mesh(parse_stl(bytes, name, options.threads));
+    case MeshFormat::off:
+      return as_read_mesh(parse_off(bytes, name));
     case MeshFormat::gltf:
     case MeshFormat::glb:
-      return fail(ErrorKind::unsupported, name, "is a glTF file, which is not read yet: expected OBJ, PLY or STL");
+      return fail(ErrorKind::unsupported, name, fmt::format("is a glTF file, which is not read yet: expected {}", readable_formats()));
     case MeshFormat::unknown:
       break;
   }
-  return fail(ErrorKind::unsupported, name, fmt::format("is {}: expected OBJ, PLY or STL", describe_content(bytes)));
+  return fail(ErrorKind::unsupported, name, fmt::format("is {}: expected {}", describe_content(bytes), readable_formats()));
 }
 
 }  // namespace

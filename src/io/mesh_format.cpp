@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "io/obj_statements.hpp"
+#include "io/off.hpp"
 #include "io/stl.hpp"
 #include "io/text.hpp"
 
@@ -17,7 +18,7 @@ namespace lustro {
 namespace {
 
 // What people hand to a mesh renderer by mistake, or in hope.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 18> kOthers{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 17> kOthers{{
     {"\x89PNG", "a PNG image"},
     {"\xFF\xD8\xFF", "a JPEG image"},
     {"GIF8", "a GIF image"},
@@ -29,7 +30,6 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 18> kOthers{
     {"; FBX", "an FBX file"},
     {"BLENDER", "a Blender file"},
     {"DRACO", "a Draco file"},
-    {"OFF", "an OFF file"},
     {"#usda", "a USD file"},
     {"PXR-USDC", "a USD file"},
     {"#VRML", "a VRML file"},
@@ -81,6 +81,9 @@ MeshFormat mesh_format_of_content(std::string_view bytes) {
   if (is_gltf(bytes)) {
     return MeshFormat::gltf;
   }
+  if (is_off(bytes)) {
+    return MeshFormat::off;
+  }
   return is_obj(bytes) ? MeshFormat::obj : MeshFormat::unknown;
 }
 
@@ -88,10 +91,11 @@ MeshFormat mesh_format_of_name(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
-  constexpr std::array<std::pair<std::string_view, MeshFormat>, 5> kExtensions{{
+  constexpr std::array<std::pair<std::string_view, MeshFormat>, 6> kExtensions{{
       {".obj", MeshFormat::obj},
       {".ply", MeshFormat::ply},
       {".stl", MeshFormat::stl},
+      {".off", MeshFormat::off},
       {".gltf", MeshFormat::gltf},
       {".glb", MeshFormat::glb},
   }};
@@ -101,6 +105,10 @@ MeshFormat mesh_format_of_name(const std::filesystem::path& file) {
     }
   }
   return MeshFormat::unknown;
+}
+
+std::string readable_formats() {
+  return "OBJ, PLY, STL or OFF";
 }
 
 std::string describe_content(std::string_view bytes) {

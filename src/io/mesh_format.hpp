@@ -8,13 +8,16 @@
 
 namespace lustro {
 
-enum class MeshFormat : std::uint8_t { unknown, obj, ply, stl, gltf, glb };
+enum class MeshFormat : std::uint8_t { unknown, obj, ply, stl, off, gltf, glb };
 
 /// The format that the content shows. OBJ has no mark: its first statement must be one of the format's.
 [[nodiscard]] MeshFormat mesh_format_of_content(std::string_view bytes);
 
 /// The format that the extension names, in any case.
 [[nodiscard]] MeshFormat mesh_format_of_name(const std::filesystem::path& file);
+
+/// The formats that are read, for messages: `OBJ, PLY, STL or OFF`.
+[[nodiscard]] std::string readable_formats();
 
 /// What an unknown file seems to be, for a message: `a PNG image`, or its first bytes.
 [[nodiscard]] std::string describe_content(std::string_view bytes);

@@ -50,9 +50,9 @@ TEST(LoadMesh, UnknownFormatsAreRefusedWithWhatWasSeenAndWhatIsRead) {
   folder.write("empty", "");
   const Error error = bad(load_mesh_file(folder.path / "a.bin"));
   EXPECT_EQ(error.kind, ErrorKind::unsupported);
-  EXPECT_EQ(error.message, "is a file that begins with \"\\x01\\x02\": expected OBJ, PLY or STL");
-  EXPECT_EQ(bad(load_mesh_file(folder.path / "a.fbx")).message, "is an FBX file: expected OBJ, PLY or STL");
-  EXPECT_EQ(bad(load_mesh_file(folder.path / "empty")).message, "is an empty file: expected OBJ, PLY or STL");
+  EXPECT_EQ(error.message, "is a file that begins with \"\\x01\\x02\": expected OBJ, PLY, STL or OFF");
+  EXPECT_EQ(bad(load_mesh_file(folder.path / "a.fbx")).message, "is an FBX file: expected OBJ, PLY, STL or OFF");
+  EXPECT_EQ(bad(load_mesh_file(folder.path / "empty")).message, "is an empty file: expected OBJ, PLY, STL or OFF");
 }
 
 TEST(LoadMesh, GltfIsRefusedByContentAndByName) {
@@ -62,7 +62,7 @@ TEST(LoadMesh, GltfIsRefusedByContentAndByName) {
   for (const char* name : {"a.bin", "a.gltf"}) {
     const Error error = bad(load_mesh_file(folder.path / name));
     EXPECT_EQ(error.kind, ErrorKind::unsupported);
-    EXPECT_EQ(error.message, "is a glTF file, which is not read yet: expected OBJ, PLY or STL");
+    EXPECT_EQ(error.message, "is a glTF file, which is not read yet: expected OBJ, PLY, STL or OFF");
   }
 }
 

@@ -13,6 +13,8 @@ TEST(MeshFormat, ContentTellsTheFormat) {
   EXPECT_EQ(mesh_format_of_content("ply\r\n"), MeshFormat::ply);
   EXPECT_EQ(mesh_format_of_content("solid x\nfacet"), MeshFormat::stl);
   EXPECT_EQ(mesh_format_of_content(std::string(84, '\0')), MeshFormat::stl);
+  EXPECT_EQ(mesh_format_of_content("OFF\n"), MeshFormat::off);
+  EXPECT_EQ(mesh_format_of_content("# c\nSTCNOFF 8 6 12"), MeshFormat::off);
   EXPECT_EQ(mesh_format_of_content("glTF\x02"), MeshFormat::glb);
   EXPECT_EQ(mesh_format_of_content("\n {\"scene\": 0, \"asset\": {\"version\": \"2.0\"}}"), MeshFormat::gltf);
   for (const char* obj :
@@ -23,7 +25,7 @@ TEST(MeshFormat, ContentTellsTheFormat) {
 
 TEST(MeshFormat, OtherContentIsUnknown) {
   for (const char* other :
-       {"", "# only a comment", "plywood", "hello", "v is the first letter of this text", "{\"objects\": []}", "solid ground", "OFF\n"}) {
+       {"", "# only a comment", "plywood", "hello", "v is the first letter of this text", "{\"objects\": []}", "solid ground", "OFFICE\n"}) {
     EXPECT_EQ(mesh_format_of_content(other), MeshFormat::unknown) << other;
   }
 }
@@ -32,6 +34,7 @@ TEST(MeshFormat, NamesTellTheFormatInAnyCase) {
   EXPECT_EQ(mesh_format_of_name("a/b.obj"), MeshFormat::obj);
   EXPECT_EQ(mesh_format_of_name("a.PLY"), MeshFormat::ply);
   EXPECT_EQ(mesh_format_of_name("a.b.Stl"), MeshFormat::stl);
+  EXPECT_EQ(mesh_format_of_name("a.off"), MeshFormat::off);
   EXPECT_EQ(mesh_format_of_name("a.gltf"), MeshFormat::gltf);
   EXPECT_EQ(mesh_format_of_name("a.glb"), MeshFormat::glb);
   EXPECT_EQ(mesh_format_of_name("obj"), MeshFormat::unknown);
