@@ -48,7 +48,8 @@ Result<void> read_masks(const ByteReader& in, std::size_t header_size, const std
   for (std::size_t c = 0; c < (has_alpha ? 4U : 3U); ++c) {
     h.masks[c] = in.u32(kFileHeader + 40 + 4 * c);
     if (!is_contiguous(h.masks[c]) || (h.masks[c] & seen) != 0) {
-      return fail(ErrorKind::malformed, at_byte(where, kFileHeader + 40 + 4 * c), fmt::format("0x{:08X} is no mask of a colour", h.masks[c]));
+      return fail(ErrorKind::malformed, at_picture_byte(where, kFileHeader + 40 + 4 * c),
+                  fmt::format("0x{:08X} is no mask of a colour", h.masks[c]));
     }
     seen |= h.masks[c];
   }
@@ -79,13 +80,13 @@ Result<BmpHeader> read_header(const ByteReader& in, const std::string& where, co
   const std::size_t size = in.u32(kFileHeader);
   constexpr std::array<std::size_t, 7> kSizes{12, 40, 52, 56, 64, 108, 124};
   if (in.u8(0) != 'B' || in.u8(1) != 'M') {
-    return fail(ErrorKind::malformed, at_byte(where, 0), "is no bitmap: it does not begin with `BM`");
+    return fail(ErrorKind::malformed, at_picture_byte(where, 0), "is no bitmap: it does not begin with `BM`");
   }
   if (in.size() < kFileHeader + 4 || (std::ranges::find(kSizes, size) != kSizes.end() && in.size() < kFileHeader + size)) {
-    return fail(ErrorKind::malformed, at_byte(where, in.size()), "the bitmap ends inside its header");
+    return fail(ErrorKind::malformed, at_picture_byte(where, in.size()), "the bitmap ends inside its header");
   }
   if (std::ranges::find(kSizes, size) == kSizes.end()) {
-    return fail(ErrorKind::unsupported, at_byte(where, kFileHeader),
+    return fail(ErrorKind::unsupported, at_picture_byte(where, kFileHeader),
                 fmt::format("the bitmap's header has {} bytes; read are those of 12, 40, 52, 56, 64, 108 and 124", size));
   }
   auto read = read_sizes(in, size, where);
@@ -98,7 +99,7 @@ Result<BmpHeader> read_header(const ByteReader& in, const std::string& where, co
   }
   const bool has_fields = h.compression == kBitFields || h.compression == kAlphaBitFields;
   if (h.compression > kAlphaBitFields || h.compression == 4 || h.compression == 5 || (has_fields && (size == 64 || size == 12))) {
-    return fail(ErrorKind::unsupported, at_byte(where, 30), fmt::format("the bitmap's compression {} is not read", h.compression));
+    return fail(ErrorKind::unsupported, at_picture_byte(where, 30), fmt::format("the bitmap's compression {} is not read", h.compression));
   }
   const bool is_indexed = h.bits == 1 || h.bits == 2 || h.bits == 4 || h.bits == 8;
   const bool fits = h.compression == kRle8   ? h.bits == 8
@@ -106,13 +107,13 @@ Result<BmpHeader> read_header(const ByteReader& in, const std::string& where, co
                     : has_fields             ? h.bits == 16 || h.bits == 32
                                              : is_indexed || h.bits == 16 || h.bits == 24 || h.bits == 32;
   if (!fits) {
-    return fail(ErrorKind::malformed, at_byte(where, 28),
+    return fail(ErrorKind::malformed, at_picture_byte(where, 28),
                 fmt::format("a bitmap of compression {} cannot have {} bits a pixel", h.compression, h.bits));
   }
   const std::size_t masks = size == 40 && has_fields ? (h.compression == kAlphaBitFields ? 16U : 12U) : 0U;
   h.palette_at = kFileHeader + size + masks;
   if (in.size() < h.palette_at) {
-    return fail(ErrorKind::malformed, at_byte(where, in.size()), "the bitmap ends inside its masks");
+    return fail(ErrorKind::malformed, at_picture_byte(where, in.size()), "the bitmap ends inside its masks");
   }
   if (h.bits == 16 || h.bits == 32) {
     if (auto ok = read_masks(in, size, where, h); !ok) {
@@ -129,7 +130,7 @@ Result<BmpHeader> read_header(const ByteReader& in, const std::string& where, co
   const std::size_t behind_palette = h.palette_at + (is_indexed ? h.palette_length * h.palette_entry : 0);
   if (h.pixels_at < behind_palette || h.pixels_at > in.size()) {
     return fail(
-        ErrorKind::malformed, at_byte(where, 10),
+        ErrorKind::malformed, at_picture_byte(where, 10),
         fmt::format("the bitmap's pixels cannot begin at byte {} of {}: header and colours end at {}", h.pixels_at, in.size(), behind_palette));
   }
   return read;
@@ -202,7 +203,7 @@ Result<ByteImage> read_picture(std::span<const std::byte> bytes, const BmpHeader
   const std::size_t pixels = static_cast<std::size_t>(h.width) * static_cast<std::size_t>(h.height);
   const std::size_t needed = h.is_packed() ? pixels / 1024 : h.row_bytes() * static_cast<std::size_t>(h.height);
   if (rest < needed) {
-    return fail(ErrorKind::malformed, at_byte(where, bytes.size()),
+    return fail(ErrorKind::malformed, at_picture_byte(where, bytes.size()),
                 fmt::format("the bitmap ends after {} bytes of its pixels, and {} x {} of them take {}{}", rest, h.width, h.height, needed,
                             h.is_packed() ? " or more" : ""));
   }

@@ -19,7 +19,8 @@ Result<std::vector<std::uint8_t>> unpack_bmp_runs(std::span<const std::byte> byt
   std::size_t x = 0;
   std::size_t y = 0;
   const auto cut = [&] {
-    return fail(ErrorKind::malformed, at_byte(where, bytes.size()), "the bitmap ends here, without the mark for the end of its packed pixels");
+    return fail(ErrorKind::malformed, at_picture_byte(where, bytes.size()),
+                "the bitmap ends here, without the mark for the end of its packed pixels");
   };
   /// Half a byte or a byte at place i of a stretch that begins at `at`.
   const auto index_at = [&](std::size_t at, std::size_t i) -> std::uint8_t {
@@ -53,13 +54,13 @@ Result<std::vector<std::uint8_t>> unpack_bmp_runs(std::span<const std::byte> byt
       y += in.u8(at + 1);
       at += 2;
       if (x > columns || y > rows) {
-        return fail(ErrorKind::malformed, at_byte(where, code), "a move leads out of the bitmap's picture");
+        return fail(ErrorKind::malformed, at_picture_byte(where, code), "a move leads out of the bitmap's picture");
       }
       continue;
     }
     const std::size_t pixels = count == 0 ? value : count;
     if (y >= rows || pixels > columns - x) {
-      return fail(ErrorKind::malformed, at_byte(where, code),
+      return fail(ErrorKind::malformed, at_picture_byte(where, code),
                   fmt::format("{} pixels at ({}, {}) lie outside of the bitmap's {} x {}", pixels, x, y, width, height));
     }
     if (count == 0) {

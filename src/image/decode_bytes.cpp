@@ -66,7 +66,7 @@ void drop_empty_alpha(ByteImage& image) {
   --image.channels;
 }
 
-std::string at_byte(const std::string& where, std::size_t offset) {
+std::string at_picture_byte(const std::string& where, std::size_t offset) {
   return fmt::format("{}: byte {}", where, offset);
 }
 

@@ -31,6 +31,6 @@ void drop_empty_alpha(ByteImage& image);
 }
 
 /// `at byte 17`, as the place of an Error.
-[[nodiscard]] std::string at_byte(const std::string& where, std::size_t offset);
+[[nodiscard]] std::string at_picture_byte(const std::string& where, std::size_t offset);
 
 }  // namespace lustro

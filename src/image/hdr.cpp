@@ -66,17 +66,17 @@ Result<HdrHeader> read_header(std::string_view text, const std::string& where, c
   std::size_t at = 0;
   const auto first = next_line(text, at);
   if (!first || !first->starts_with("#?")) {
-    return fail(ErrorKind::malformed, at_byte(where, 0), "is no Radiance picture: it does not begin with a line `#?RADIANCE`");
+    return fail(ErrorKind::malformed, at_picture_byte(where, 0), "is no Radiance picture: it does not begin with a line `#?RADIANCE`");
   }
   for (bool is_header = true; is_header;) {
     const std::size_t begin = at;
     const auto line = next_line(text, at);
     if (!line) {
-      return fail(ErrorKind::malformed, at_byte(where, begin), "an empty line was expected at the end of the Radiance picture's header");
+      return fail(ErrorKind::malformed, at_picture_byte(where, begin), "an empty line was expected at the end of the Radiance picture's header");
     }
     if (line->starts_with("FORMAT=") && line->substr(7) != "32-bit_rle_rgbe") {
       const bool is_xyz = line->substr(7) == "32-bit_rle_xyze";
-      return fail(is_xyz ? ErrorKind::unsupported : ErrorKind::malformed, at_byte(where, begin),
+      return fail(is_xyz ? ErrorKind::unsupported : ErrorKind::malformed, at_picture_byte(where, begin),
                   is_xyz ? "the colours of the Radiance picture are XYZ, which are not read: 32-bit_rle_rgbe was expected"
                          : "the format of a Radiance picture is 32-bit_rle_rgbe, and another one was found");
     }
@@ -86,7 +86,7 @@ Result<HdrHeader> read_header(std::string_view text, const std::string& where, c
   const std::size_t begin = at;
   auto line = next_line(text, at);
   if (!line || !read_axis(*line, header.major) || !read_axis(*line, header.minor) || header.major.name == header.minor.name) {
-    return fail(ErrorKind::malformed, at_byte(where, begin), "a size like `-Y 480 +X 640` was expected");
+    return fail(ErrorKind::malformed, at_picture_byte(where, begin), "a size like `-Y 480 +X 640` was expected");
   }
   header.pixels_at = at;
   const bool is_usual = header.major.name == 'Y';
@@ -187,7 +187,7 @@ Result<Image> read_picture(std::span<const std::byte> bytes, const HdrHeader& he
   const Axis& y_axis = is_usual ? major : minor;
   if (bytes.size() - header.pixels_at <
       std::size_t{4} * static_cast<std::size_t>(major.length)) {  // which every scan line takes, however packed
-    return fail(ErrorKind::malformed, at_byte(where, bytes.size()),
+    return fail(ErrorKind::malformed, at_picture_byte(where, bytes.size()),
                 fmt::format("the Radiance picture ends here, and its {} scan lines take 4 bytes each or more", major.length));
   }
   Image image(x_axis.length, y_axis.length, 3);
@@ -195,7 +195,8 @@ Result<Image> read_picture(std::span<const std::byte> bytes, const HdrHeader& he
   ScanLines lines(bytes, header.pixels_at);
   for (int i = 0; i < major.length; ++i) {
     if (!lines.read(line)) {
-      return fail(ErrorKind::malformed, at_byte(where, lines.at()), fmt::format("scan line {} of the Radiance picture is broken or cut", i));
+      return fail(ErrorKind::malformed, at_picture_byte(where, lines.at()),
+                  fmt::format("scan line {} of the Radiance picture is broken or cut", i));
     }
     for (int j = 0; j < minor.length; ++j) {
       const int x = is_usual ? j : i;

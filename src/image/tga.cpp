@@ -42,7 +42,7 @@ bool is_color_depth(int bits) {
 
 Result<TgaHeader> read_header(const ByteReader& in, const std::string& where, const ImageLimits& limits) {
   if (in.size() < kHeaderSize) {
-    return fail(ErrorKind::malformed, at_byte(where, in.size()), "the TGA file ends inside its header of 18 bytes");
+    return fail(ErrorKind::malformed, at_picture_byte(where, in.size()), "the TGA file ends inside its header of 18 bytes");
   }
   TgaHeader h;
   h.id_length = in.u8(0);
@@ -60,17 +60,17 @@ Result<TgaHeader> read_header(const ByteReader& in, const std::string& where, co
   h.from_right = (in.u8(17) & 16) != 0;
   h.from_top = (in.u8(17) & 32) != 0;
   if (in.u8(1) > 1 || h.type < 1 || h.type > 3 || type > 11) {
-    return fail(ErrorKind::malformed, at_byte(where, 1),
+    return fail(ErrorKind::malformed, at_picture_byte(where, 1),
                 fmt::format("a TGA file of type 1, 2, 3, 9, 10 or 11 was expected, and colour map {}, type {} was found", in.u8(1), type));
   }
   if ((in.u8(17) & 0xC0) != 0) {
-    return fail(ErrorKind::unsupported, at_byte(where, 17), "the rows of the TGA file are interleaved, which is not read");
+    return fail(ErrorKind::unsupported, at_picture_byte(where, 17), "the rows of the TGA file are interleaved, which is not read");
   }
   const bool fits = h.type == 1   ? h.has_palette && is_color_depth(h.palette_bits) && (h.bits == 8 || h.bits == 16)
                     : h.type == 2 ? is_color_depth(h.bits)
                                   : h.bits == 8 || h.bits == 16;
   if (!fits) {
-    return fail(ErrorKind::malformed, at_byte(where, 16),
+    return fail(ErrorKind::malformed, at_picture_byte(where, 16),
                 fmt::format("a TGA file of type {} cannot have {} bits a pixel and {} a colour of its map", type, h.bits,
                             h.has_palette ? h.palette_bits : 0));
   }
@@ -92,7 +92,8 @@ int attributes_type(std::span<const std::byte> bytes) {
 }
 
 Error ends_too_early(const std::string& where, std::size_t size, std::size_t needed) {
-  return {ErrorKind::malformed, at_byte(where, size), fmt::format("the TGA file ends here, and its pixels take {} bytes or more", needed)};
+  return {ErrorKind::malformed, at_picture_byte(where, size),
+          fmt::format("the TGA file ends here, and its pixels take {} bytes or more", needed)};
 }
 
 /// The pixels as the file has them, unpacked: a byte per 8 bits, in the file's order.
@@ -122,7 +123,7 @@ Result<std::vector<std::uint8_t>> read_raw(std::span<const std::byte> bytes, std
       return tl::unexpected(ends_too_early(where, bytes.size(), at + length - begin));
     }
     if (count * step > total - to) {
-      return fail(ErrorKind::malformed, at_byte(where, packet),
+      return fail(ErrorKind::malformed, at_picture_byte(where, packet),
                   fmt::format("a packet of {} pixels, where the TGA file's picture has {} left", count, (total - to) / step));
     }
     for (std::size_t i = 0; i < count; ++i, to += step) {
@@ -182,7 +183,7 @@ Result<ByteImage> read_picture(std::span<const std::byte> bytes, const TgaHeader
   const std::size_t palette_bytes = h.has_palette ? h.palette_length * h.palette_entry_bytes() : 0;
   const std::size_t begin = palette_begin + palette_bytes;
   if (begin > bytes.size()) {
-    return tl::unexpected(Error{ErrorKind::malformed, at_byte(where, bytes.size()), "the TGA file ends before its pixels begin"});
+    return tl::unexpected(Error{ErrorKind::malformed, at_picture_byte(where, bytes.size()), "the TGA file ends before its pixels begin"});
   }
   const auto raw = read_raw(bytes, begin, h, where);
   if (!raw) {

@@ -20,7 +20,7 @@ namespace lustro {
 Result<ByteImage> decode_webp(std::span<const std::byte> bytes, const std::string& where, const ImageLimits& limits) {
   const std::size_t stated = std::size_t{ByteReader(bytes).u32(4)} + 8;
   if (bytes.size() < 12 || bytes.size() < stated) {
-    return fail(ErrorKind::malformed, at_byte(where, bytes.size()),
+    return fail(ErrorKind::malformed, at_picture_byte(where, bytes.size()),
                 fmt::format("the WebP file ends here, and its header states {} bytes", stated));
   }
   const auto* const data = reinterpret_cast<const std::uint8_t*>(bytes.data());
