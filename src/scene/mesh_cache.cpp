@@ -29,12 +29,19 @@ bool all_of(std::size_t count, int threads, Holds&& holds) {
   return result;
 }
 
-// A hand-built mesh is checked before anything reads through its indices.
-Result<void> check_mesh(const Mesh& mesh, int threads, const std::string& where) {
-  const std::size_t vertices = mesh.positions.size();
+Result<void> check_vertex_count(std::size_t vertices, const std::string& where) {
   constexpr std::size_t kMostVertices = 0x7FFFFFFFU / 3;  // kernels address a coordinate by a signed 32-bit number
   if (vertices > kMostVertices) {
     return fail(ErrorKind::limit, where, fmt::format("has {} vertices; at most {} can be drawn", vertices, kMostVertices));
+  }
+  return {};
+}
+
+// A hand-built mesh is checked before anything reads through its indices.
+Result<void> check_mesh(const Mesh& mesh, int threads, const std::string& where) {
+  const std::size_t vertices = mesh.positions.size();
+  if (auto checked = check_vertex_count(vertices, where); !checked) {
+    return checked;
   }
   const auto fits = [vertices](std::size_t size) { return size == 0 || size == vertices; };
   if (!fits(mesh.normals.size()) || !fits(mesh.uvs.size()) || !fits(mesh.uvs1.size()) || !fits(mesh.tangents.size()) ||
@@ -104,6 +111,12 @@ Result<std::shared_ptr<const DrawableMesh>> MeshCache::get(const std::shared_ptr
   auto drawable = std::make_shared<DrawableMesh>();
   drawable->stated = mesh;
   drawable->mesh = with_normals(mesh, demand, threads);
+  if (demand.tangents && drawable->mesh->tangents.empty()) {
+    drawable->mesh = std::make_shared<const Mesh>(with_tangents(*drawable->mesh, *demand.tangents));
+    if (auto checked = check_vertex_count(drawable->mesh->positions.size(), where); !checked) {  // there may be more now
+      return tl::unexpected(checked.error());
+    }
+  }
   drawable->colors.reserve(drawable->mesh->colors.size());
   for (const Vec3f& c : drawable->mesh->colors) {
     drawable->colors.push_back(demand.encoded_colors ? Vec3f{srgb_decode(c.x), srgb_decode(c.y), srgb_decode(c.z)} : c);

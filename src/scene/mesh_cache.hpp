@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "lustro/result.hpp"
 #include "mesh/clusters.hpp"
 #include "mesh/cones.hpp"
+#include "mesh/tangents.hpp"
 
 namespace lustro {
 
@@ -25,12 +27,13 @@ struct DrawableMesh {
 struct MeshDemand {
   NormalOptions normals{};
   bool wants_normals = true;
-  bool encoded_colors = true;  ///< vertex colours are decoded to linear light
-  bool wants_cones = false;    ///< faces that look away are not drawn; met where the mesh will be drawn often
+  bool encoded_colors = true;                ///< vertex colours are decoded to linear light
+  bool wants_cones = false;                  ///< faces that look away are not drawn; met where the mesh will be drawn often
+  std::optional<TangentOptions> tangents{};  ///< made where the mesh states none
 
   friend bool operator==(const MeshDemand& a, const MeshDemand& b) {
     return a.normals.weights == b.normals.weights && a.normals.crease_deg == b.normals.crease_deg && a.wants_normals == b.wants_normals &&
-           a.encoded_colors == b.encoded_colors && a.wants_cones == b.wants_cones;
+           a.encoded_colors == b.encoded_colors && a.wants_cones == b.wants_cones && a.tangents == b.tangents;
   }
 };
 

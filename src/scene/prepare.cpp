@@ -257,7 +257,8 @@ Result<void> check_objects(const Scene& scene, MeshCache& cache, int threads, st
     const MeshDemand demand{.normals = {.weights = scene.shading.vertex_normals, .crease_deg = scene.shading.crease.value_or(180)},
                             .wants_normals = scene.shading.interpolation != Interpolation::flat,
                             .encoded_colors = scene.image.transfer != Transfer::none,
-                            .wants_cones = scene.shading.cull != Culling::none};
+                            .wants_cones = scene.shading.cull != Culling::none,
+                            .tangents = tangents_for(object, scene.shading)};
     auto drawable = cache.get(object.mesh, demand, threads, where + ".mesh");
     if (!drawable) {
       return tl::unexpected(drawable.error());

@@ -67,9 +67,27 @@ std::span<const MapRow> map_rows() {
   return kRows;
 }
 
-bool wants_tangents(const Material& material, const Shading& shading) {
-  const MaterialTextures& textures = material.textures;
-  return shading.interpolation == Interpolation::phong && textures.normal && textures.normal->texture && !textures.normal_is_object_space;
+std::optional<TangentOptions> tangents_for(const Object& object, const Shading& shading) {
+  if (shading.interpolation != Interpolation::phong) {
+    return {};
+  }
+  const auto of = [](const Material& material) -> std::optional<TangentOptions> {
+    const std::optional<TextureUse>& use = material.textures.normal;
+    if (!use || !use->texture || material.textures.normal_is_object_space) {
+      return {};
+    }
+    const std::array<float, 6>& m = use->uv_matrix;
+    return TangentOptions{use->uv_set, {m[0], m[1], m[3], m[4]}};
+  };
+  if (object.material) {
+    return of(*object.material);
+  }
+  for (const Material& material : object.mesh->materials) {
+    if (const auto options = of(material)) {
+      return options;
+    }
+  }
+  return {};
 }
 
 ShadingMaps prepare_maps(const Material& material, const Mesh& mesh, const Shading& shading, const std::string& where, Notes& notes) {

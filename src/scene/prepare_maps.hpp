@@ -10,6 +10,7 @@
 #include "lustro/material.hpp"
 #include "lustro/mesh.hpp"
 #include "lustro/scene.hpp"
+#include "mesh/tangents.hpp"
 #include "shade/texturing.hpp"
 
 namespace lustro {
@@ -22,8 +23,8 @@ struct MapRow {
 };
 [[nodiscard]] std::span<const MapRow> map_rows();
 
-/// Whether a material's tangent-space normal map asks its mesh for tangents.
-[[nodiscard]] bool wants_tangents(const Material& material, const Shading& shading);
+/// The tangents that an object's tangent-space normal maps ask of its mesh: how the first of them lies on it. Nothing: they ask for none.
+[[nodiscard]] std::optional<TangentOptions> tangents_for(const Object& object, const Shading& shading);
 
 /// Maps that cannot be drawn are left out with a note: without a texture, without the mesh's texture coordinates, or of what only a pixel's own
 /// lighting knows where light is not calculated in the pixel. Those of terms that are off are left out without one.

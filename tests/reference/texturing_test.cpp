@@ -387,6 +387,33 @@ TEST(Texturing, ATangentFrameGoesWhereItsObjectGoes) {
   }
 }
 
+TEST(Texturing, TangentsAreMadeWhereTheMeshStatesNone) {
+  auto mesh = std::make_shared<Mesh>(*quad());
+  mesh->tangents.clear();
+  Scene scene = plain_scene(mesh);
+  TextureUse use = tilt({0.3, 0.4, 0.8});
+  scene.objects[0].material = Material{.textures = {.normal = use}};
+  expect_normal(drawn(scene, with_layers("normal")), 32, 24, {0.3, 0.4, 0.8});
+  // A quarter turn of the picture turns what it states: u' = v is down, up the picture is to the right.
+  use.uv_matrix = {0, 1, 0, -1, 0, 0};
+  scene.objects[0].material->textures.normal = use;
+  expect_normal(drawn(scene, with_layers("normal")), 32, 24, {0.4, -0.3, 0.8});
+  // OBJ's way: v up in the file, turned round by the map.
+  for (Vec2f& uv : mesh->uvs) {
+    uv.y = 1 - uv.y;
+  }
+  use.uv_matrix = {1, 0, 0, 0, -1, 1};
+  scene.objects[0].material->textures.normal = use;
+  scene.objects[0].mesh = std::make_shared<const Mesh>(*mesh);
+  expect_normal(drawn(scene, with_layers("normal")), 32, 24, {0.3, 0.4, 0.8});
+  // Of a material of the mesh, too.
+  mesh->materials = {Material{}, *scene.objects[0].material};
+  mesh->triangle_material = {1, 1};
+  scene.objects[0].material.reset();
+  scene.objects[0].mesh = std::make_shared<const Mesh>(*mesh);
+  expect_normal(drawn(scene, with_layers("normal")), 32, 24, {0.3, 0.4, 0.8});
+}
+
 TEST(Texturing, AFlippedHandednessTurnsGreenRound) {
   auto mesh = std::make_shared<Mesh>(*quad());
   mesh->tangents.assign(4, {1, 0, 0, -1});
