@@ -39,7 +39,25 @@ Json shading_json(const ShadingExplanation& shading) {
           {"lights", lights}};
 }
 
+Json map_json(const MapExplanation& map) {
+  Json value = Json::array();
+  for (const float channel : map.value) {
+    value.push_back(json_number(channel));
+  }
+  return {{"map", map.map},
+          {"name", map.name},
+          {"u", json_number(map.u)},
+          {"v", json_number(map.v)},
+          {"level_of_detail", json_number(map.level_of_detail)},
+          {"value", value},
+          {"applies", map.applies}};
+}
+
 Json fragment_json(const FragmentExplanation& fragment) {
+  Json maps = Json::array();
+  for (const MapExplanation& map : fragment.maps) {
+    maps.push_back(map_json(map));
+  }
   Json shadings = Json::array();
   for (const ShadingExplanation& shading : fragment.shadings) {
     shadings.push_back(shading_json(shading));
@@ -58,6 +76,7 @@ Json fragment_json(const FragmentExplanation& fragment) {
           {"position", json_vector(fragment.position)},
           {"lighting", word_of(fragment.lighting)},
           {"coefficients", json_material(fragment.coefficients)},
+          {"maps", maps},
           {"shadings", shadings},
           {"ambient", json_vector(fragment.ambient)},
           {"diffuse", json_vector(fragment.diffuse)},

@@ -51,7 +51,12 @@ const char* specular_formula(Lighting lighting) {
 /// (R.V)^n or (N.H)^n as the equation has it.
 float highlight(const FragmentExplanation& fragment, const LightExplanation& light) {
   const float cosine = fragment.lighting == Lighting::phong ? light.r_dot_v : light.n_dot_h;
-  return light.n_dot_l > 0 ? power(std::max(cosine, 0.0F), fragment.coefficients.shininess) : 0;
+  if (light.n_dot_l <= 0) {
+    return 0;
+  }
+  const float n = fragment.coefficients.shininess;
+  const bool varies = std::any_of(fragment.maps.begin(), fragment.maps.end(), [](const MapExplanation& map) { return map.map == "shininess"; });
+  return varies ? power(std::max(cosine, 0.0F), LaneExponent<float>{n}) : power(std::max(cosine, 0.0F), n);
 }
 
 std::string light_text(const PreparedScene& scene, const FragmentExplanation& fragment, const LightExplanation& light) {
@@ -119,6 +124,13 @@ std::string shading_text(const PreparedScene& scene, const Explanation& explanat
   return text + row(4, "     emission", shading.emission, "k_e");
 }
 
+std::string map_text(const MapExplanation& map) {
+  const std::string value = fmt::format("{:>12.6g} {:>12.6g} {:>12.6g} {:>12.6g}", map.value[0], map.value[1], map.value[2], map.value[3]);
+  std::string how = fmt::format("at {}, {}, level {}", number(map.u), number(map.v), number(std::max(map.level_of_detail, 0.0F)));
+  how += map.applies ? "" : ", outside: it does not apply";
+  return row(2, "  " + map.map + " map", value, map.name.empty() ? how : printable(map.name) + " " + how);
+}
+
 std::string fragment_text(const PreparedScene& scene, const Explanation& explanation, const FragmentExplanation& fragment, std::size_t index) {
   const Material& k = fragment.coefficients;
   std::string text = fmt::format("\nsurface {} of {}, seen by {} of {} samples\n", index + 1, explanation.fragments.size(), fragment.samples,
@@ -132,6 +144,9 @@ std::string fragment_text(const PreparedScene& scene, const Explanation& explana
               fmt::format("lighting {}", word_of(fragment.lighting)));
   text += row(2, "  k_a", k.ambient.rgb) + row(2, "  k_d", k.diffuse.rgb) + row(2, "  k_s", k.specular.rgb) + row(2, "  k_e", k.emission.rgb);
   text += row(2, "  n", number(k.shininess));
+  for (const MapExplanation& map : fragment.maps) {
+    text += map_text(map);
+  }
   if (fragment.lighting != Lighting::constant) {
     text += fmt::format("\n  I = k_e + k_a I_a + sum over the lights of f s [ k_a l_a + k_d l_d max(N.L, 0) + k_s l_s spec ]\n  spec = {}{}\n\n",
                         specular_formula(fragment.lighting), fragment.lighting == Lighting::lambert ? "" : ", 0 where N.L <= 0");

@@ -139,9 +139,9 @@ LUSTRO_INLINE MapValue<F> value_of(const ShadingMap& map, const Texel<F>& texel,
           applies};
 }
 
-/// Looks a map up over a footprint, given in the coordinates of the surface.
+/// Looks a map up over a footprint, given in the coordinates of the surface. Large, so not forced into every caller.
 template <class Fetch, class F>
-LUSTRO_INLINE MapValue<F> look_up(const ShadingMap& map, const Footprint<F>& surface) {
+MapValue<F> look_up(const ShadingMap& map, const Footprint<F>& surface) {
   const Footprint<F> at = on_map(map, surface);
   return value_of(map, sample(map.sampler, Fetch(map.texels), map.width, map.height, at), map.leaves_outside ? is_on_picture(at.u, at.v) : F(1));
 }
@@ -291,7 +291,7 @@ struct HeightSlopes {
 /// slope is the surface's own at the picture's finest level, and smooth.
 /// source  Blinn 1978, Simulation of wrinkled surfaces
 template <class Fetch, class F>
-LUSTRO_INLINE HeightSlopes<F> height_slopes(const ShadingMap& map, const Footprint<F>& surface) {
+HeightSlopes<F> height_slopes(const ShadingMap& map, const Footprint<F>& surface) {
   const Footprint<F> at = on_map(map, surface);
   const Fetch fetch(map.texels);
   Sampler sampler = map.sampler;
