@@ -18,6 +18,7 @@ constexpr std::array kCommands{
     CommandMaker{"info", make_info},                // commands/info.cpp         what a file holds
     CommandMaker{"explain", make_explain},          // commands/explain.cpp      one pixel taken apart
     CommandMaker{"compare", make_compare},          // commands/compare.cpp      how two pictures differ
+    CommandMaker{"convert", make_convert},          // commands/convert.cpp      a mesh or a scene to a mesh file of another format
     CommandMaker{"batch", make_batch},              // commands/batch.cpp        many models to a folder of pictures
     CommandMaker{"turntable", make_turntable},      // commands/turntable.cpp    a scene that turns, as an animation or frame by frame
     CommandMaker{"hash", make_hash},                // commands/hash.cpp         the hash of the float picture

@@ -51,9 +51,13 @@ LoadOptions load_options(const Session& session, bool mtl_tr) {
   return options;
 }
 
+Result<LoadedScene> load_input(const std::string& argument, const LoadOptions& options) {
+  return is_primitive(argument) ? load_primitive(argument, options) : load_scene(argument, options);
+}
+
 Result<LoadedScene> load_scene_argument(const std::string& argument, const SceneFlags& flags, LoadOptions options) {
   options.adjust = [&flags](Scene& scene) { return apply_scene_flags(flags, scene); };
-  return is_primitive(argument) ? load_primitive(argument, options) : load_scene(argument, options);
+  return load_input(argument, options);
 }
 
 }  // namespace lustro::app

@@ -27,7 +27,12 @@ void add_mtl_flag(CLI::App& app, bool& mtl_tr);
 /// How the command loads.
 [[nodiscard]] LoadOptions load_options(const Session& session, bool mtl_tr);
 
-/// The scene that the argument names.
+/// A scene file, a mesh file or a primitive.
+/// options  `adjust` must be set
+/// errors   as load_scene()
+[[nodiscard]] Result<LoadedScene> load_input(const std::string& argument, const LoadOptions& options);
+
+/// The scene that the argument names, with the flags laid over it.
 /// errors  as load_scene(); usage for a flag
 [[nodiscard]] Result<LoadedScene> load_scene_argument(const std::string& argument, const SceneFlags& flags, LoadOptions options);
 

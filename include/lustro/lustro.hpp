@@ -4,6 +4,7 @@
 #include "lustro/image.hpp"
 #include "lustro/material.hpp"
 #include "lustro/mesh.hpp"
+#include "lustro/mesh_file.hpp"
 #include "lustro/options.hpp"
 #include "lustro/render.hpp"
 #include "lustro/result.hpp"
