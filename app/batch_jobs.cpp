@@ -52,6 +52,7 @@ bool is_drawable(const fs::path& file) {
     case MeshFormat::ply:
     case MeshFormat::stl:
     case MeshFormat::off:
+    case MeshFormat::threemf:
       return true;
     case MeshFormat::gltf:
     case MeshFormat::glb:
@@ -187,7 +188,7 @@ Result<std::vector<BatchJob>> batch_jobs(const BatchInputs& inputs, const fs::pa
   }
   if (models.empty()) {
     return fail(ErrorKind::usage, "",
-                fmt::format("there is no model to draw: no .obj, .ply, .stl or .off file in {}",
+                fmt::format("there is no model to draw: no .obj, .ply, .stl, .off or .3mf file in {}",
                             inputs.list.empty() ? fmt::format("{}", fmt::join(inputs.arguments, ", ")) : inputs.list));
   }
   drop_repeated(models);

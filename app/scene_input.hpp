@@ -19,7 +19,7 @@ namespace lustro::app {
 [[nodiscard]] bool is_scene_file(const std::filesystem::path& file);
 
 /// What SCENE may be, for help.
-inline constexpr const char* kSceneHelp = "A scene file, a mesh (OBJ, PLY, STL, OFF), or primitive:NAME (plane, cube, sphere, torus, teapot)";
+inline constexpr const char* kSceneHelp = "A scene file, a mesh (OBJ, PLY, STL, OFF, 3MF), or primitive:NAME (plane, cube, sphere, torus, teapot)";
 
 /// `--mtl-tr`, of every command that loads.
 void add_mtl_flag(CLI::App& app, bool& mtl_tr);

@@ -60,6 +60,7 @@ pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)
 pkg_check_modules(JPEG IMPORTED_TARGET libjpeg)
 pkg_check_modules(WEBP IMPORTED_TARGET libwebpmux libwebp)
 pkg_check_modules(GIF IMPORTED_TARGET libgif)
+pkg_check_modules(EXPAT IMPORTED_TARGET expat) # without it no 3MF
 
 target_link_libraries(lustro_public_dependencies INTERFACE tl::expected)
 target_include_directories(lustro_row_dependencies SYSTEM INTERFACE ${HWY_INCLUDE_DIRS})
@@ -76,6 +77,13 @@ foreach(library JPEG WEBP GIF)
   endif()
 endforeach()
 
+# Importers belong to the core, where these libraries are linked in a full build only.
+if(EXPAT_FOUND)
+  foreach(dependencies lustro_core_dependencies lustro_private_dependencies)
+    target_link_libraries(${dependencies} INTERFACE PkgConfig::EXPAT PkgConfig::DEFLATE)
+  endforeach()
+endif()
+
 # The same for pkg-config, by the names of their .pc files; cmake/lustroConfig.cmake.in finds them for CMake.
 set(LUSTRO_PKG_CONFIG_REQUIRES fmt OpenEXR spng libdeflate freetype2)
 if(LUSTRO_THREADS STREQUAL "tbb")
@@ -83,6 +91,9 @@ if(LUSTRO_THREADS STREQUAL "tbb")
 endif()
 if(JPEG_FOUND)
   list(APPEND LUSTRO_PKG_CONFIG_REQUIRES libjpeg)
+endif()
+if(EXPAT_FOUND)
+  list(APPEND LUSTRO_PKG_CONFIG_REQUIRES expat)
 endif()
 if(WEBP_FOUND)
   list(APPEND LUSTRO_PKG_CONFIG_REQUIRES libwebpmux libwebp)

@@ -269,7 +269,7 @@ Command make_batch(CommandLine& line, Session& session) {
   CLI::App* app =
       add_subcommand(line, session, "batch", "Draws many models to a folder of pictures, one a core; a model that fails stops no other");
   auto flags = std::make_shared<BatchFlags>();
-  app->add_option("IN", flags->inputs.arguments, "Meshes, scene files, folders of meshes (.obj, .ply, .stl, .off), primitive:NAME")
+  app->add_option("IN", flags->inputs.arguments, "Meshes, scene files, folders of meshes (.obj, .ply, .stl, .off, .3mf), primitive:NAME")
       ->type_name("FILE")
       ->expected(-1);
   const std::string input = "Input", output = "Output", limits = "Limits";

@@ -52,7 +52,7 @@ Result<ExitCode> scene_info(const Session& session, const InfoFlags& flags, cons
 Command make_info(CommandLine& line, Session& session) {
   CLI::App* app = add_subcommand(line, session, "info", "Tells what a mesh or scene file holds, and what was repaired in it");
   auto flags = std::make_shared<InfoFlags>();
-  app->add_option("FILE", flags->file, "A mesh (OBJ, PLY, STL, OFF), a scene file, or primitive:NAME")->type_name("FILE")->required();
+  app->add_option("FILE", flags->file, "A mesh (OBJ, PLY, STL, OFF, 3MF), a scene file, or primitive:NAME")->type_name("FILE")->required();
   add_mtl_flag(*app, flags->mtl_tr);
   return {
       app,

@@ -19,6 +19,9 @@
 #include "io/ply_direct.hpp"
 #include "io/read_file.hpp"
 #include "io/stl.hpp"
+#ifdef LUSTRO_HAS_3MF
+#include "io/threemf.hpp"
+#endif
 
 namespace lustro {
 
@@ -107,6 +110,13 @@ Result<ReadMesh> load(const fs::path& file, const LoadOptions& options, bool for
       return as_read_mesh(parse_stl(bytes, name, options.threads));
     case MeshFormat::off:
       return as_read_mesh(parse_off(bytes, name));
+    case MeshFormat::threemf:
+#ifdef LUSTRO_HAS_3MF
+      return as_read_mesh(parse_threemf(bytes, name));
+#else
+      return fail(ErrorKind::unsupported, name,
+                  "is a 3MF file, which Lustro reads where libexpat (Debian: libexpat1-dev) is there when it is built");
+#endif
     case MeshFormat::gltf:
     case MeshFormat::glb:
       return fail(ErrorKind::unsupported, name, fmt::format("is a glTF file, which is not read yet: expected {}", readable_formats()));

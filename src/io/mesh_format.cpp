@@ -24,7 +24,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 17> kOthers{
     {"GIF8", "a GIF image"},
     {"#?RADIANCE", "a Radiance image"},
     {"\x76\x2F\x31\x01", "an OpenEXR image"},
-    {"PK\x03\x04", "a ZIP archive (3MF, USDZ, ...)"},
+    {"PK\x03\x04", "a ZIP archive (USDZ, ...)"},
     {"\x1F\x8B", "gzip-compressed data"},
     {"Kaydara FBX", "an FBX file"},
     {"; FBX", "an FBX file"},
@@ -40,6 +40,11 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 17> kOthers{
 
 bool is_ply(std::string_view bytes) {
   return bytes.starts_with("ply") && bytes.size() > 3 && (TextCursor::is_newline(bytes[3]) || TextCursor::is_blank(bytes[3]));
+}
+
+// A ZIP package that names a 3MF model; names are not packed.
+bool is_threemf(std::string_view bytes) {
+  return bytes.starts_with("PK\x03\x04") && bytes.find("3dmodel.model") != std::string_view::npos;
 }
 
 // JSON with an `asset` key near its start or the names of other top-level keys: not to be taken for a scene file.
@@ -72,6 +77,9 @@ MeshFormat mesh_format_of_content(std::string_view bytes) {
   if (bytes.starts_with("glTF")) {
     return MeshFormat::glb;
   }
+  if (is_threemf(bytes)) {
+    return MeshFormat::threemf;
+  }
   if (is_ply(bytes)) {
     return MeshFormat::ply;
   }
@@ -91,11 +99,12 @@ MeshFormat mesh_format_of_name(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
-  constexpr std::array<std::pair<std::string_view, MeshFormat>, 6> kExtensions{{
+  constexpr std::array<std::pair<std::string_view, MeshFormat>, 7> kExtensions{{
       {".obj", MeshFormat::obj},
       {".ply", MeshFormat::ply},
       {".stl", MeshFormat::stl},
       {".off", MeshFormat::off},
+      {".3mf", MeshFormat::threemf},
       {".gltf", MeshFormat::gltf},
       {".glb", MeshFormat::glb},
   }};
@@ -108,7 +117,11 @@ MeshFormat mesh_format_of_name(const std::filesystem::path& file) {
 }
 
 std::string readable_formats() {
+#ifdef LUSTRO_HAS_3MF
+  return "OBJ, PLY, STL, OFF or 3MF";
+#else
   return "OBJ, PLY, STL or OFF";
+#endif
 }
 
 std::string describe_content(std::string_view bytes) {

@@ -8,7 +8,7 @@
 
 namespace lustro {
 
-enum class MeshFormat : std::uint8_t { unknown, obj, ply, stl, off, gltf, glb };
+enum class MeshFormat : std::uint8_t { unknown, obj, ply, stl, off, threemf, gltf, glb };
 
 /// The format that the content shows. OBJ has no mark: its first statement must be one of the format's.
 [[nodiscard]] MeshFormat mesh_format_of_content(std::string_view bytes);

@@ -1,6 +1,7 @@
 // Mesh files: which parser reads them, and where an OBJ's libraries are found.
 #include <fstream>
 
+#include "io/mesh_format.hpp"
 #include "io_testing.hpp"
 #include "lustro/scene.hpp"
 #include "temporary_folder.hpp"
@@ -50,9 +51,9 @@ TEST(LoadMesh, UnknownFormatsAreRefusedWithWhatWasSeenAndWhatIsRead) {
   folder.write("empty", "");
   const Error error = bad(load_mesh_file(folder.path / "a.bin"));
   EXPECT_EQ(error.kind, ErrorKind::unsupported);
-  EXPECT_EQ(error.message, "is a file that begins with \"\\x01\\x02\": expected OBJ, PLY, STL or OFF");
-  EXPECT_EQ(bad(load_mesh_file(folder.path / "a.fbx")).message, "is an FBX file: expected OBJ, PLY, STL or OFF");
-  EXPECT_EQ(bad(load_mesh_file(folder.path / "empty")).message, "is an empty file: expected OBJ, PLY, STL or OFF");
+  EXPECT_EQ(error.message, "is a file that begins with \"\\x01\\x02\": expected " + readable_formats());
+  EXPECT_EQ(bad(load_mesh_file(folder.path / "a.fbx")).message, "is an FBX file: expected " + readable_formats());
+  EXPECT_EQ(bad(load_mesh_file(folder.path / "empty")).message, "is an empty file: expected " + readable_formats());
 }
 
 TEST(LoadMesh, GltfIsRefusedByContentAndByName) {
@@ -62,7 +63,7 @@ TEST(LoadMesh, GltfIsRefusedByContentAndByName) {
   for (const char* name : {"a.bin", "a.gltf"}) {
     const Error error = bad(load_mesh_file(folder.path / name));
     EXPECT_EQ(error.kind, ErrorKind::unsupported);
-    EXPECT_EQ(error.message, "is a glTF file, which is not read yet: expected OBJ, PLY, STL or OFF");
+    EXPECT_EQ(error.message, "is a glTF file, which is not read yet: expected " + readable_formats());
   }
 }
 
