@@ -188,7 +188,7 @@ Result<void> draw(const Scene& scene, const RenderOptions& options, Workshop& wo
   for (const Aov& aov : *aovs) {
     result.layers.push_back(make_layer(aov, prepared));
   }
-  if (options.engine == Engine::reference || prepared.has_maps) {  // the rows do not know maps yet
+  if (options.engine == Engine::reference) {
     render_reference(prepared, *aovs, options, result);  // reference/render.cpp
     result.times.total = milliseconds(Clock::now() - begin);
     return {};

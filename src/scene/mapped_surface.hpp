@@ -29,9 +29,21 @@ LUSTRO_INLINE std::array<Footprint<F>, 2> footprints_on(const AnyFace& face, con
   return at;
 }
 
-/// A normal map's vector out of the frame of the vertices' tangents and normals, of any length. A similarity turns the whole frame at once.
+/// The frame in which a normal map speaks, interpolated from the vertices: of the object where its matrix is a similarity, which turns the
+/// result, else of the world.
+template <class F>
+struct TangentFrame {
+  Vec3<F> tangent, normal;
+  F handedness;  ///< its sign alone counts
+
+  LUSTRO_INLINE Vec3<F> turn(const Instance& instance, const Vec3<F>& value) const {
+    const Vec3<F> result = from_tangent_frame(value, tangent, handedness, normal);
+    return instance.is_similarity ? instance.normal_from_object.turned(result) : result;
+  }
+};
+
 template <class F, class AnyFace>
-LUSTRO_INLINE Vec3<F> from_tangent_frame_of(const AnyFace& face, NormalInterpolation mode, const Weights<F>& w, const Vec3<F>& value) {
+LUSTRO_INLINE TangentFrame<F> tangent_frame_on(const AnyFace& face, NormalInterpolation mode, const Weights<F>& w) {
   const Instance& instance = face.instance;
   const bool turns_once = instance.is_similarity;
   std::array<Vec3<F>, 3> normals, tangents;
@@ -44,9 +56,7 @@ LUSTRO_INLINE Vec3<F> from_tangent_frame_of(const AnyFace& face, NormalInterpola
     handedness[i] = !turns_once && instance.is_mirrored ? -stated[3] : stated[3];
   }
   const Vec3<F> normal = mode == NormalInterpolation::lerp ? weighted_sum(normals, w) : slerp_normal(normals, w, normals[0]);
-  const F sign = (handedness[0] * w[0] + handedness[1] * w[1]) + handedness[2] * w[2];
-  const Vec3<F> result = from_tangent_frame(value, weighted_sum(tangents, w), sign, normal);
-  return turns_once ? instance.normal_from_object.turned(result) : result;
+  return {weighted_sum(tangents, w), normal, (handedness[0] * w[0] + handedness[1] * w[1]) + handedness[2] * w[2]};
 }
 
 /// The normal that is lit, where a map changes it: the normal map first, the bumps upon it. Maps speak of the front; seen from behind with
@@ -63,7 +73,7 @@ LUSTRO_INLINE Vec3<F> mapped_normal(const AnyFace& face, NormalInterpolation mod
   if (maps.has(MapKind::normal)) {
     const MapValue<F> value = look_up_normal<Fetch>(maps, at);
     const Vec3<F> stated =
-        maps.normal_is_object_space ? instance.normal_from_object.turned(value.rgb) : from_tangent_frame_of(face, mode, w, value.rgb);
+        maps.normal_is_object_space ? instance.normal_from_object.turned(value.rgb) : tangent_frame_on(face, mode, w).turn(instance, value.rgb);
     n = stated_normal(stated, value.applies, n);
   }
   if (maps.has(MapKind::bump)) {

@@ -247,13 +247,16 @@ LUSTRO_INLINE void modulate(const MapFactors<F>& factors, Terms<F>& terms) {
   terms.emission = terms.emission * factors.emission;
 }
 
-/// n under the shininess map, 0..10000.
+/// n under what the shininess map says, 0..10000.
+template <class F>
+LUSTRO_INLINE LaneExponent<F> shininess_under(const ShadingMap& map, const MapValue<F>& value, float shininess) {
+  const F factor = select(value.applies > F(0), chosen_channel(map, value), F(1));
+  return {lane_min(lane_max(factor * F(shininess), F(0)), F(10000))};
+}
 template <class Fetch, class F>
 LUSTRO_INLINE LaneExponent<F> textured_shininess(const ShadingMaps& maps, const std::array<Footprint<F>, 2>& at, float shininess) {
   const ShadingMap& map = maps[MapKind::shininess];
-  const MapValue<F> value = look_up<Fetch>(map, at[map.uv_set]);
-  const F factor = select(value.applies > F(0), chosen_channel(map, value), F(1));
-  return {lane_min(lane_max(factor * F(shininess), F(0)), F(10000))};
+  return shininess_under(map, look_up<Fetch>(map, at[map.uv_set]), shininess);
 }
 
 /// A normal map's vector: rgb * 2 - 1, of any length.

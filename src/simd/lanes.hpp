@@ -204,6 +204,27 @@ HWY_INLINE Vec3<Float> gather(const std::vector<Vec3f>& list, Int index) {
   return {from_bits(words[0]), from_bits(words[1]), from_bits(words[2])};
 }
 
+/// The same of pairs and of fours.
+HWY_INLINE Vec2<Float> gather(const std::vector<Vec2f>& list, Int index) {
+  const float* f = &list.data()->x;
+  alignas(64) std::uint32_t lanes[kLanes];
+  store(lanes, index);
+  if (HWY_UNLIKELY(kLanes == 1 || any_of(index == Int(static_cast<std::int32_t>(list.size() - 1))))) {
+    const Int i = index + index;
+    return {gather(f, i), gather(f, i + Int(1))};
+  }
+  hn::Vec<IntTag> words[4];
+  load_quads([&](std::size_t i) { return reinterpret_cast<const std::int32_t*>(f + std::size_t{2} * lanes[i]); }, words);
+  return {from_bits(words[0]), from_bits(words[1])};
+}
+HWY_INLINE std::array<Float, 4> gather(const std::vector<std::array<float, 4>>& list, Int index) {
+  alignas(64) std::uint32_t lanes[kLanes];
+  store(lanes, index);
+  hn::Vec<IntTag> words[4];
+  load_quads([&](std::size_t i) { return reinterpret_cast<const std::int32_t*>(list[lanes[i]].data()); }, words);
+  return {from_bits(words[0]), from_bits(words[1]), from_bits(words[2]), from_bits(words[3])};
+}
+
 /// kLanes structures of 16 words, transposed: words[w] holds word w of all of them.
 HWY_INLINE void transpose(const std::uint32_t* first, const std::uint32_t* index, Words& words) {
   for (std::size_t q = 0; q < 16; q += 4) {

@@ -163,7 +163,7 @@ LUSTRO_INLINE AxisPlace<F> on_axis(const Sampler& sampler, Wrap wrap, const F& c
 }
 
 template <class F, class M>
-LUSTRO_INLINE TexelQuad<F> quad_at(const Sampler& sampler, const LevelPlace<F>& level, const F& u, const F& v, const M& is_magnified) {
+TexelQuad<F> quad_at(const Sampler& sampler, const LevelPlace<F>& level, const F& u, const F& v, const M& is_magnified) {
   using I = IntOf<F>;
   const AxisPlace<F> x = on_axis(sampler, sampler.wrap_u, u, level.width, is_magnified);
   const AxisPlace<F> y = on_axis(sampler, sampler.wrap_v, v, level.height, is_magnified);
@@ -207,7 +207,7 @@ LUSTRO_INLINE F limit_lod(const F& lod, std::int32_t level_count) {
 
 /// Where a look at (u, v) finds its texels: the same for all textures of one size that are looked up alike.
 template <class F, class Fetch>
-LUSTRO_INLINE Places<F> places_at(const Sampler& sampler, const Fetch& fetch, const F& u, const F& v, const F& lod) {
+Places<F> places_at(const Sampler& sampler, const Fetch& fetch, const F& u, const F& v, const F& lod) {
   using I = IntOf<F>;
   using texture_detail::quad_at;
   const F x = texture_detail::finite_or_zero(u);
@@ -247,7 +247,7 @@ LUSTRO_INLINE Places<F> places_at(const Sampler& sampler, const Fetch& fetch, co
 template <class F, class Fetch>
 LUSTRO_INLINE Texel<F> fetch_places(const Sampler& sampler, const Fetch& fetch, const Places<F>& places) {
   const bool has_border = sampler.wrap_u == Wrap::clamp_to_border || sampler.wrap_v == Wrap::clamp_to_border;
-  const auto look = [&](const TexelQuad<F>& quad) {
+  const auto look = [&](const TexelQuad<F>& quad) __attribute__((always_inline)) {
     Texel<F> texel = fetch.quad(quad);
     if (has_border) {
       for (std::size_t c = 0; c < 4; ++c) {
@@ -275,7 +275,7 @@ LUSTRO_INLINE Texel<F> fetch_places(const Sampler& sampler, const Fetch& fetch, 
 ///   float unit() const                                     the number that stands for 1
 ///   float scale() const                                    its inverse
 template <class F, class Fetch>
-LUSTRO_INLINE Texel<F> sample(const Sampler& sampler, const Fetch& fetch, float width, float height, const Footprint<F>& at) {
+Texel<F> sample(const Sampler& sampler, const Fetch& fetch, float width, float height, const Footprint<F>& at) {
   const FootprintSize<F> size = size_of_footprint(sampler, width, height, at);
   Texel<F> sum = {F(0), F(0), F(0), F(0)};
   if (sampler.anisotropy <= 1) {

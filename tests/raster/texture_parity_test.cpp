@@ -1,0 +1,129 @@
+// Maps in every row: the same floats as the reference, whatever the sampler, the map and the interpolation.
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include "raster/parity.hpp"
+#include "truth/scene_tree.hpp"
+
+namespace lustro {
+namespace {
+
+class Random {
+ public:
+  explicit Random(std::uint32_t seed) : bits_(seed) {}
+  std::uint32_t below(std::uint32_t count) { return static_cast<std::uint32_t>(bits_()) % count; }
+  float unit() { return static_cast<float>(bits_() >> 8) / 16777216.0F; }
+  float around(float size) { return (unit() * 2 - 1) * size; }
+
+ private:
+  std::mt19937 bits_;
+};
+
+std::shared_ptr<const Texture> random_texture(Random& random, bool is_hdr) {
+  constexpr std::array kSizes{1, 2, 3, 5, 16, 31, 64};
+  Image image(kSizes[random.below(kSizes.size())], kSizes[random.below(kSizes.size())], static_cast<int>(1 + random.below(4)));
+  for (float& value : image.pixels) {
+    value = random.unit() * (is_hdr ? 3 : 1);
+  }
+  return *make_texture(image);
+}
+
+TextureUse random_use(Random& random, bool is_hdr = false) {
+  TextureUse use;
+  use.texture = random_texture(random, is_hdr);
+  use.sampler = {static_cast<Wrap>(random.below(4)),
+                 static_cast<Wrap>(random.below(4)),
+                 static_cast<TextureFilter>(random.below(2)),
+                 static_cast<TextureFilter>(random.below(2)),
+                 static_cast<MipFilter>(random.below(3)),
+                 random.below(3) == 0 ? static_cast<int>(1 + random.below(16)) : 1,
+                 {random.unit(), random.unit(), random.unit(), 1}};
+  use.uv_set = static_cast<std::uint8_t>(random.below(2));
+  if (random.below(2) == 0) {
+    use.uv_matrix = {random.around(3), random.around(3), random.around(2), random.around(3), random.around(3), random.around(2)};
+  }
+  use.channel = static_cast<std::uint8_t>(random.below(5));
+  use.leaves_outside = random.below(4) == 0;
+  if (random.below(4) == 0) {
+    use.gain = {random.around(2), random.around(2), random.around(2)};
+    use.base = {random.unit(), random.unit(), random.unit()};
+  }
+  return use;
+}
+
+MaterialTextures random_textures(Random& random) {
+  MaterialTextures t;
+  const auto maybe = [&](std::optional<TextureUse>& use, bool is_hdr = false) {
+    if (random.below(2) == 0) {
+      use = random_use(random, is_hdr);
+    }
+  };
+  maybe(t.ambient);
+  maybe(t.diffuse);
+  maybe(t.specular, random.below(2) == 0);
+  maybe(t.emission, true);
+  maybe(t.shininess);
+  maybe(t.decal);
+  maybe(t.bump);
+  maybe(t.normal);
+  t.normal_is_object_space = random.below(3) == 0;
+  return t;
+}
+
+// A mesh with both sets of coordinates and tangents, none of them tidy.
+std::shared_ptr<const Mesh> mapped_mesh(Random& random, const char* name) {
+  Mesh mesh = *truth::tree_mesh(name);
+  mesh.uvs.clear();
+  for (const Vec3f& p : mesh.positions) {
+    mesh.uvs.push_back({p.x * 2 + p.z, p.y - p.x});
+    mesh.uvs1.push_back({random.unit(), random.unit()});
+    const Vec3f t = normalize(Vec3f{random.around(1), random.around(1), 0.1F});
+    mesh.tangents.push_back({t.x, t.y, t.z, random.below(2) == 0 ? 1.0F : -1.0F});
+  }
+  return std::make_shared<const Mesh>(std::move(mesh));
+}
+
+Scene random_scene(Random& random) {
+  constexpr std::array kMeshes{"primitive:sphere:40", "primitive:plane:3", "primitive:cube", "primitive:torus:30"};
+  Scene scene;
+  scene.image = {.width = static_cast<int>(60 + random.below(80)), .height = static_cast<int>(50 + random.below(60))};
+  scene.image.samples = random.below(2) == 0 ? 1 : 4;
+  scene.camera.projection = random.below(4) == 0 ? Projection::orthographic : Projection::perspective;
+  scene.shading.interpolation = static_cast<Interpolation>(random.below(5) < 3 ? 2 : random.below(2));
+  scene.shading.lighting = static_cast<Lighting>(random.below(4));
+  scene.shading.normals = static_cast<NormalInterpolation>(random.below(3) == 0);
+  scene.shading.two_sided = random.below(2) == 0;
+  scene.shading.normalized = random.below(3) == 0;
+  if (random.below(3) == 0) {
+    scene.camera.eye = Vec3d{1.1, 0.7, 1.3};
+    scene.camera.near = 0.9;  // opens the objects: clipped triangles have maps, too
+    scene.camera.far = 50;
+  }
+  if (random.below(3) == 0) {
+    scene.fog = Fog{.mode = FogMode::exp, .density = 0.3, .color = {{0.5F, 0.6F, 0.7F}}};
+  }
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    Object object;
+    object.mesh = mapped_mesh(random, kMeshes[random.below(kMeshes.size())]);
+    const double mirror = random.below(3) == 0 ? -1 : 1;
+    const double stretch = random.below(2) == 0 ? 1.5 : 1;
+    object.matrix.m = {mirror, 0.2 * i, 0, 0.8 * i, 0, stretch, 0, 0, 0, 0, 1, 0.3 * i, 0, 0, 0, 1};
+    object.material = Material{.specular = {{0.4F, 0.5F, 0.6F}}, .emission = {{0.1F, 0, 0.2F}}, .shininess = 20};
+    if (i == 0 || random.below(2) == 0) {
+      object.material->textures = random_textures(random);
+    }
+    scene.objects.push_back(object);
+  }
+  return scene;
+}
+
+TEST(TextureParity, RandomMapsOnRandomScenes) {
+  Random random(23);
+  for (int i = 0; i < 60 && !testing::Test::HasFailure(); ++i) {
+    expect_parity(random_scene(random), "textures " + std::to_string(i));
+  }
+}
+
+}  // namespace
+}  // namespace lustro
