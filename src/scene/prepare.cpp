@@ -234,7 +234,6 @@ Result<void> add_object(PreparedScene& prepared, const Scene& scene, std::size_t
     ShadingMaterial& shading = prepared.materials[materials++];
     prepare_material(material, scene.shading, prepared.transfer, shading);
     shading.maps = prepare_maps(material, *instance.mesh, scene.shading, where, prepared.notes);
-    prepared.has_maps = prepared.has_maps || shading.maps.has_any();
   };
   if (instance.has_own_materials) {
     std::for_each(instance.mesh->materials.begin(), instance.mesh->materials.end(), add);
@@ -302,7 +301,6 @@ Result<void> prepare(const Scene& scene, MeshCache& cache, int threads, Prepared
   prepared.lights.clear();
   prepared.notes.clear();
   prepared.triangle_count = 0;
-  prepared.has_maps = false;
   if (auto checked = check_image(scene.image); !checked) {
     return tl::unexpected(checked.error());
   }

@@ -78,7 +78,6 @@ struct PreparedScene {
   std::optional<ShadingFog> fog;
   std::array<float, 4> background{};  ///< linear, premultiplied
   std::uint32_t triangle_count = 0;
-  bool has_maps = false;  ///< of any material
   Notes notes;
 };
 
