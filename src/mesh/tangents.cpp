@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -15,7 +14,7 @@ namespace lustro {
 namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFFU;
-constexpr double kSmallest = std::numeric_limits<float>::min();  // MikkTSpace's own idea of zero
+constexpr double kSmallest = 0x1p-126;  // the smallest normal float: MikkTSpace's own idea of zero
 
 using Tangent = std::array<float, 4>;
 constexpr Tangent kNoTangent{1, 0, 0, 1};
@@ -86,7 +85,8 @@ class TangentMaker {
   // In the picture, both axes as mathematics has them: s to the right, t up.
   [[nodiscard]] Vec2<double> picture_uv(std::uint32_t t, std::size_t i) const {
     const Vec2f& uv = uvs_[mesh_.triangles[t][i]];
-    const double u = static_cast<double>(uv.x), v = static_cast<double>(uv.y);
+    const auto u = static_cast<double>(uv.x);
+    const auto v = static_cast<double>(uv.y);
     return {static_cast<double>(matrix_[0]) * u + static_cast<double>(matrix_[1]) * v,
             -(static_cast<double>(matrix_[2]) * u + static_cast<double>(matrix_[3]) * v)};
   }

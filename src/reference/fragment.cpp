@@ -31,8 +31,8 @@ struct Evaluation {
 
 // The pixel's maps.
 struct Mapped {
-  WeightSlopes<float> slopes;
-  std::array<Footprint<float>, 2> at;
+  WeightSlopes<float> slopes{};
+  std::array<Footprint<float>, 2> at{};
   MapFactors<float> factors;
 };
 

@@ -47,7 +47,7 @@ LUSTRO_INLINE TangentFrame<F> tangent_frame_on(const AnyFace& face, NormalInterp
   const Instance& instance = face.instance;
   const bool turns_once = instance.is_similarity;
   std::array<Vec3<F>, 3> normals, tangents;
-  std::array<F, 3> handedness;
+  std::array<F, 3> handedness{};
   for (std::size_t i = 0; i < 3; ++i) {
     const std::array<F, 4> stated = face.stated_tangent(i);
     const Vec3<F> tangent{stated[0], stated[1], stated[2]};

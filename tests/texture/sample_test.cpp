@@ -325,6 +325,19 @@ TEST(Sample, AFootprintFourTimesAsLongAsWideTakesFourLooksAtTheWidthsLevel) {
   EXPECT_NEAR(anisotropic, 0, 1e-4F);
 }
 
+TEST(Sample, ACoordinateJustBelow0ShowsTheLastTexelOfARepeatedPicture) {  // c - floor(c) is 1 for it, in single precision
+  const auto texture = made(noise(3, 5, 4, 10));
+  const Sampler sampler{.magnify = TextureFilter::nearest, .minify = TextureFilter::nearest, .mip = MipFilter::none};
+  for (const float tiny : {-1e-9F, -1e-40F}) {
+    EXPECT_EQ(sampled(*texture, sampler, {tiny, tiny, 0, 0, 0, 0}), texture->texel(0, 2, 4));
+    EXPECT_EQ(sampled(*texture, sampler, {0.5F, tiny, 0, 0, 0, 0}), texture->texel(0, 1, 4));
+  }
+  const Texel<float> linear = sampled(*texture, {}, {-1e-9F, 0.5F, 0, 0, 0, 0});  // half way between the last and the first
+  for (std::size_t c = 0; c < 4; ++c) {
+    EXPECT_NEAR(linear[c], (texture->texel(0, 2, 2)[c] + texture->texel(0, 0, 2)[c]) / 2, 1e-6F);
+  }
+}
+
 TEST(Sample, AnyNumbersAtAllReadNothingOutsideTheTexture) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   const std::array<float, 18> wild{std::numeric_limits<float>::quiet_NaN(),
