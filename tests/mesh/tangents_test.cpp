@@ -240,11 +240,18 @@ TEST(Tangents, ATriangleWithoutAnAreaInThePictureTakesItsNeighboursTangents) {
   mesh.normals.push_back({0, 0, 1});
   mesh.uvs.push_back({1, 0.5F});  // on the edge from vertex 1 to vertex 2
   mesh.triangles.push_back({1, 4, 2});
-  const Mesh result = with_tangents(mesh);
-  EXPECT_EQ(at(result, 2, 0), (Tangent{1, 0, 0, 1}));
-  EXPECT_EQ(at(result, 2, 2), (Tangent{1, 0, 0, 1}));
-  EXPECT_EQ(at(result, 2, 1), (Tangent{1, 0, 0, 1}));  // of no group: the default
-  EXPECT_EQ(result.positions.size(), 5U);
+  for (const bool is_mirrored : {false, true}) {
+    for (Vec2f& uv : mesh.uvs) {
+      uv = is_mirrored ? Vec2f{-uv.x, uv.y} : Vec2f{uv.y, -uv.x};  // a quarter turn, and that mirrored
+    }
+    const Mesh result = with_tangents(mesh);
+    const Tangent expected = is_mirrored ? Tangent{0, 1, 0, -1} : Tangent{0, -1, 0, 1};
+    EXPECT_EQ(at(result, 0, 1), expected);
+    EXPECT_EQ(at(result, 2, 0), expected);
+    EXPECT_EQ(at(result, 2, 2), expected);
+    EXPECT_EQ(at(result, 2, 1), (Tangent{1, 0, 0, 1}));  // of no group: the default
+    EXPECT_EQ(result.positions.size(), 5U);
+  }
 }
 
 TEST(Tangents, ATriangleWithTwoCornersAtOnePlaceTakesPartInNothing) {
