@@ -62,6 +62,10 @@ pkg_check_modules(WEBP IMPORTED_TARGET libwebpmux libwebp)
 pkg_check_modules(GIF IMPORTED_TARGET libgif)
 pkg_check_modules(EXPAT IMPORTED_TARGET expat) # without it no 3MF
 
+# Without these two it reads no glTF whose meshes they packed, and says so.
+pkg_check_modules(DRACO IMPORTED_TARGET draco)
+find_package(meshoptimizer CONFIG QUIET)
+
 target_link_libraries(lustro_public_dependencies INTERFACE tl::expected)
 target_include_directories(lustro_row_dependencies SYSTEM INTERFACE ${HWY_INCLUDE_DIRS})
 
@@ -70,7 +74,7 @@ set(core_libraries fmt::fmt ${lustro_threads} $<BUILD_INTERFACE:nlohmann_json::n
 target_link_libraries(lustro_core_dependencies INTERFACE ${core_libraries})
 target_link_libraries(lustro_private_dependencies INTERFACE ${core_libraries} OpenEXR::OpenEXR PkgConfig::SPNG PkgConfig::DEFLATE PkgConfig::FREETYPE)
 
-foreach(library JPEG WEBP GIF)
+foreach(library JPEG WEBP GIF DRACO)
   if(${library}_FOUND)
     target_link_libraries(lustro_private_dependencies INTERFACE PkgConfig::${library})
     target_compile_definitions(lustro_private_dependencies INTERFACE $<BUILD_INTERFACE:LUSTRO_HAS_${library}>)
@@ -82,6 +86,11 @@ if(EXPAT_FOUND)
   foreach(dependencies lustro_core_dependencies lustro_private_dependencies)
     target_link_libraries(${dependencies} INTERFACE PkgConfig::EXPAT PkgConfig::DEFLATE)
   endforeach()
+endif()
+
+if(meshoptimizer_FOUND)
+  target_link_libraries(lustro_private_dependencies INTERFACE meshoptimizer::meshoptimizer)
+  target_compile_definitions(lustro_private_dependencies INTERFACE $<BUILD_INTERFACE:LUSTRO_HAS_MESHOPT>)
 endif()
 
 # The same for pkg-config, by the names of their .pc files; cmake/lustroConfig.cmake.in finds them for CMake.
@@ -100,4 +109,7 @@ if(WEBP_FOUND)
 endif()
 if(GIF_FOUND)
   list(APPEND LUSTRO_PKG_CONFIG_REQUIRES libgif)
+endif()
+if(DRACO_FOUND)
+  list(APPEND LUSTRO_PKG_CONFIG_REQUIRES draco)
 endif()

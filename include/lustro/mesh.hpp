@@ -38,6 +38,10 @@ struct SourceMesh {
   std::vector<Vec3f> colors;       ///< V x 3 (one a position) or empty; `encoded`, 0..1
   std::vector<Vec3f> face_colors;  ///< F x 3 or empty; `encoded`, 0..1
 
+  std::vector<Vec2f> uvs1;                     ///< V x 2 (one a position) or empty: a second set
+  std::vector<std::array<float, 4>> tangents;  ///< V x 4 or empty: unit tangent and the sign of the bitangent
+  std::vector<float> alphas;                   ///< V or empty; 0..1
+
   std::vector<std::uint32_t> face_begin{0};    ///< F + 1: face f has the corners face_begin[f] .. face_begin[f + 1]
   std::vector<std::uint32_t> corner_position;  ///< C
   std::vector<std::uint32_t> corner_normal;    ///< C or empty; kNone where the corner has none

@@ -110,6 +110,8 @@ struct Scene {
 struct LoadedScene {
   Scene scene;
   Notes notes;
+  std::vector<std::string> cameras{};     ///< of a glTF file: what LoadOptions::gltf_camera may choose from, by name
+  std::vector<std::string> animations{};  ///< of a glTF file, by name
 };
 
 struct LoadOptions {
@@ -119,6 +121,11 @@ struct LoadOptions {
   std::function<Result<void>(Scene&)> adjust = {};
 
   int threads = 0;  ///< for reading and building meshes; 0: one a core. The result is the same for any number
+
+  // Of glTF files.
+  std::string gltf_camera = {};     ///< the camera to look through, its index or name; empty: everything is framed
+  std::optional<double> time = {};  ///< seconds into the animation; nothing: the nodes as they are stated
+  std::string animation = {};       ///< which one, its index or name; empty: the first
 };
 
 /// The scene that a JSON text describes, meshes not loaded yet (Object::source names them).
@@ -130,11 +137,13 @@ struct LoadOptions {
 /// two objects name is loaded once.
 [[nodiscard]] Result<Notes> load_meshes(Scene& scene, const std::filesystem::path& folder, const LoadOptions& options = {});
 
-/// A scene file or a bare mesh file, by content. A bare mesh is the scene with that one object, lit on both sides.
+/// A scene file, a glTF file or a bare mesh file, by content. A bare mesh is the scene with that one object, lit on both sides. Of a glTF file
+/// every node with a mesh is an object (`source` is FILE#nodes[N], which load_meshes() reads too), lit on both sides with energy-normalised
+/// highlights.
 [[nodiscard]] Result<LoadedScene> load_scene(const std::filesystem::path& file, const LoadOptions& options = {});
 
-/// A mesh file as it states itself (OBJ, PLY, STL, OFF): by content first, then by extension. The MTL files that an OBJ names are read from its
-/// folder.
+/// A mesh file as it states itself (OBJ, PLY, STL, OFF, glTF): by content first, then by extension. The MTL files that an OBJ names are read from its
+/// folder. Of a glTF file: all that its scene draws, in one mesh in world space.
 [[nodiscard]] Result<SourceMesh> load_mesh_file(const std::filesystem::path& file, const LoadOptions& options = {});
 
 /// The scene as JSON text that parse_scene() reads back to the same scene. Stated are the keys that differ from their defaults.

@@ -12,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "io/gltf_scene.hpp"
 #include "io/mesh_format.hpp"
 #include "io/obj.hpp"
 #include "io/off.hpp"
@@ -118,8 +119,10 @@ Result<ReadMesh> load(const fs::path& file, const LoadOptions& options, bool for
                   "is a 3MF file, which Lustro reads where libexpat (Debian: libexpat1-dev) is there when it is built");
 #endif
     case MeshFormat::gltf:
-    case MeshFormat::glb:
-      return fail(ErrorKind::unsupported, name, fmt::format("is a glTF file, which is not read yet: expected {}", readable_formats()));
+    case MeshFormat::glb: {
+      Result<GltfModel> model = load_gltf(file, options);
+      return model ? as_read_mesh(gltf_whole_mesh(*model)) : tl::unexpected(std::move(model).error());
+    }
     case MeshFormat::unknown:
       break;
   }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <charconv>
 #include <cstdio>
 #include <exception>
 #include <map>
@@ -13,6 +14,7 @@
 #include <utility>
 #include <variant>
 
+#include "io/gltf_scene.hpp"
 #include "io/load_mesh.hpp"
 #include "io/mesh_format.hpp"
 #include "io/read_file.hpp"
@@ -72,27 +74,18 @@ Result<BuiltMesh> build(ReadMesh read, const NormalOptions& normals, int threads
                                       : build_mesh(to_source(std::move(*plain)), normals, threads);
 }
 
-/// The mesh that a `source` names, ready for drawing.
-Result<std::shared_ptr<const Mesh>> load_source(const std::string& source, const fs::path& file, const Shading& shading,
-                                                const LoadOptions& options, NoteList& notes) {
-  const std::string name = is_primitive(source) ? source : file.string();
-  Result<ReadMesh> read =
-      is_primitive(source)
-          ? make_primitive(std::string_view(source).substr(kPrimitive.size())).map([](SourceMesh&& made) { return ReadMesh(std::move(made)); })
-          : read_mesh_file(file, options, shading.crease.value_or(kSmooth) == kSmooth);
-  if (!read) {
-    const Error& error = read.error();
-    return fail(error.kind, error.where.empty() ? name : error.where, error.message);
-  }
-  const auto* const plain = std::get_if<PlainMesh>(&*read);
+/// What was read, ready for drawing.
+Result<std::shared_ptr<const Mesh>> build_read(ReadMesh read, const std::string& name, const Shading& shading, const LoadOptions& options,
+                                               NoteList& notes) {
+  const auto* const plain = std::get_if<PlainMesh>(&read);
   NormalOptions normals;
   normals.weights = shading.vertex_normals;
-  normals.crease_deg = shading.crease.value_or(plain == nullptr && std::get<SourceMesh>(*read).weld_first ? kCreaseOfFacets : kSmooth);
+  normals.crease_deg = shading.crease.value_or(plain == nullptr && std::get<SourceMesh>(read).weld_first ? kCreaseOfFacets : kSmooth);
   normals.recompute = shading.recompute_normals;
-  for (const Note& note : plain != nullptr ? plain->notes : std::get<SourceMesh>(*read).notes) {
+  for (const Note& note : plain != nullptr ? plain->notes : std::get<SourceMesh>(read).notes) {
     notes.add({note.where.empty() ? name : note.where, note.message});
   }
-  Result<BuiltMesh> built = build(*std::move(read), normals, options.threads);
+  Result<BuiltMesh> built = build(std::move(read), normals, options.threads);
   if (!built) {
     return fail(built.error().kind, joined(name, built.error().where), built.error().message);
   }
@@ -102,9 +95,96 @@ Result<std::shared_ptr<const Mesh>> load_source(const std::string& source, const
   return std::make_shared<const Mesh>(std::move(built->mesh));
 }
 
+/// The mesh that a `source` names.
+Result<ReadMesh> read_source(const std::string& source, const fs::path& file, const Shading& shading, const LoadOptions& options) {
+  if (is_primitive(source)) {
+    return make_primitive(std::string_view(source).substr(kPrimitive.size())).map([](SourceMesh&& made) { return ReadMesh(std::move(made)); });
+  }
+  return read_mesh_file(file, options, shading.crease.value_or(kSmooth) == kSmooth);
+}
+
+/// A source that names a node of a glTF file: `duck.glb#nodes[2]`.
+struct NodeSource {
+  std::string file;
+  std::size_t node = 0;
+};
+
+std::optional<NodeSource> node_source(const std::string& source, const fs::path& folder) {
+  constexpr std::string_view kNode = "#nodes[";
+  const std::size_t mark = source.rfind(kNode);
+  if (mark == std::string::npos || !source.ends_with(']')) {
+    return std::nullopt;
+  }
+  NodeSource found{source.substr(0, mark)};
+  const char* const end = source.data() + source.size() - 1;
+  const auto [stop, error] = std::from_chars(source.data() + mark + kNode.size(), end, found.node);
+  std::error_code ignored;
+  if (error != std::errc() || stop != end || fs::exists(folder / fs::path(source), ignored)) {
+    return std::nullopt;
+  }
+  return found;
+}
+
+/// Meshes and glTF files by the identity of their file, each read once.
+struct Loaded {
+  std::map<std::string, std::shared_ptr<const Mesh>> meshes;
+  std::map<std::string, GltfModel> models;
+};
+
+/// The mesh of a node, with those of the file's other nodes that have the same.
+Result<std::shared_ptr<const Mesh>> load_node(const NodeSource& source, const fs::path& folder, const Shading& shading,
+                                              const LoadOptions& options, Loaded& loaded, NoteList& notes) {
+  const fs::path file = folder / fs::path(source.file);
+  const std::string identity = identity_of(source.file, file);
+  auto model = loaded.models.find(identity);
+  if (model == loaded.models.end()) {
+    Result<GltfModel> read = load_gltf(file, options);
+    if (!read) {
+      return tl::unexpected(std::move(read).error());
+    }
+    model = loaded.models.emplace(identity, std::move(*read)).first;
+  }
+  std::shared_ptr<const Mesh>& mesh = loaded.meshes[identity + "#" + gltf_mesh_key(model->second, source.node)];
+  if (mesh == nullptr) {
+    Result<SourceMesh> read = gltf_node_mesh(model->second, source.node);
+    if (!read) {
+      return tl::unexpected(std::move(read).error());
+    }
+    auto built = build_read(std::move(*read), file.string(), shading, options, notes);
+    if (!built) {
+      return tl::unexpected(std::move(built).error());
+    }
+    mesh = std::move(*built);
+  }
+  return mesh;
+}
+
+/// The mesh of an object, by its source.
+Result<std::shared_ptr<const Mesh>> load_source(const std::string& source, const fs::path& folder, const Shading& shading,
+                                                const LoadOptions& options, Loaded& loaded, NoteList& notes) {
+  if (const std::optional<NodeSource> node = node_source(source, folder)) {
+    return load_node(*node, folder, shading, options, loaded, notes);
+  }
+  const fs::path file = folder / fs::path(source);
+  std::shared_ptr<const Mesh>& mesh = loaded.meshes[identity_of(source, file)];
+  if (mesh == nullptr) {
+    const std::string name = is_primitive(source) ? source : file.string();
+    Result<ReadMesh> read = read_source(source, file, shading, options);
+    if (!read) {
+      const Error& error = read.error();
+      return fail(error.kind, error.where.empty() ? name : error.where, error.message);
+    }
+    auto built = build_read(std::move(*read), name, shading, options, notes);
+    if (!built) {
+      return tl::unexpected(std::move(built).error());
+    }
+    mesh = std::move(*built);
+  }
+  return mesh;
+}
+
 /// load_meshes(); `with_path` puts the object's JSON path in front of an error.
-Result<void> load_all(Scene& scene, const fs::path& folder, const LoadOptions& options, NoteList& notes, bool with_path) {
-  std::map<std::string, std::shared_ptr<const Mesh>> loaded;
+Result<void> load_all(Scene& scene, const fs::path& folder, const LoadOptions& options, Loaded& loaded, NoteList& notes, bool with_path) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     Object& object = scene.objects[i];
     if (object.mesh != nullptr) {
@@ -114,16 +194,11 @@ Result<void> load_all(Scene& scene, const fs::path& folder, const LoadOptions& o
     if (object.source.empty()) {
       return fail(ErrorKind::usage, path, "is missing, expected a mesh file or primitive:NAME");
     }
-    const fs::path file = folder / fs::path(object.source);
-    std::shared_ptr<const Mesh>& mesh = loaded[identity_of(object.source, file)];
-    if (mesh == nullptr) {
-      auto read = load_source(object.source, file, scene.shading, options, notes);
-      if (!read) {
-        return fail(read.error().kind, joined(path, read.error().where), read.error().message);
-      }
-      mesh = *std::move(read);
+    auto mesh = load_source(object.source, folder, scene.shading, options, loaded, notes);
+    if (!mesh) {
+      return fail(mesh.error().kind, joined(path, mesh.error().where), mesh.error().message);
     }
-    object.mesh = mesh;
+    object.mesh = std::move(*mesh);
   }
   return {};
 }
@@ -170,7 +245,8 @@ Result<LoadedScene> load_scene_text(const fs::path& file, std::string_view text,
   for (const Note& note : unused_keys(*scene)) {
     notes.add({joined(name, note.where), note.message});
   }
-  if (const auto done = load_all(*scene, file.parent_path(), options, notes, true); !done) {
+  Loaded loaded;
+  if (const auto done = load_all(*scene, file.parent_path(), options, loaded, notes, true); !done) {
     return fail(done.error().kind, joined(name, done.error().where), done.error().message);
   }
   return LoadedScene{*std::move(scene), notes.take()};
@@ -186,29 +262,61 @@ Result<LoadedScene> load_bare_mesh(const fs::path& file, const LoadOptions& opti
     return tl::unexpected(done.error());
   }
   NoteList notes;
-  if (const auto done = load_all(scene, file.parent_path(), options, notes, false); !done) {
+  Loaded loaded;
+  if (const auto done = load_all(scene, file.parent_path(), options, loaded, notes, false); !done) {
     return tl::unexpected(done.error());
   }
   return LoadedScene{std::move(scene), notes.take()};
 }
 
+Result<LoadedScene> load_gltf_scene(const fs::path& file, const LoadOptions& options) {
+  Result<GltfModel> model = load_gltf(file, options);
+  if (!model) {
+    return tl::unexpected(std::move(model).error());
+  }
+  const std::string source = file.filename().string();
+  Result<LoadedScene> result = gltf_scene(*model, source, options);
+  if (!result) {
+    return result;
+  }
+  if (const auto done = options.adjust ? options.adjust(result->scene) : Result<void>(); !done) {
+    return tl::unexpected(done.error());
+  }
+  NoteList notes;
+  for (Note& note : result->notes) {
+    notes.add(std::move(note));
+  }
+  Loaded loaded;
+  loaded.models.emplace(identity_of(source, file), std::move(*model));
+  if (const auto done = load_all(result->scene, file.parent_path(), options, loaded, notes, false); !done) {
+    return tl::unexpected(done.error());
+  }
+  result->notes = notes.take();
+  return result;
+}
+
 Result<LoadedScene> load(const fs::path& file, const LoadOptions& options) {
   const std::string head = head_of(file);
   const bool is_named_json = file.extension() == ".json";
+  if (head.starts_with("glTF")) {
+    return load_gltf_scene(file, options);
+  }
   if (!is_named_json && !opens_a_table(head)) {
-    return load_bare_mesh(file, options);
+    return mesh_format_of_name(file) == MeshFormat::gltf || mesh_format_of_name(file) == MeshFormat::glb ? load_gltf_scene(file, options)
+                                                                                                         : load_bare_mesh(file, options);
   }
   std::error_code error;
   const auto size = fs::file_size(file, error);
   if (!error && size > JsonLimits{}.bytes) {
-    return fail(ErrorKind::limit, file.string(), fmt::format("has {} bytes, the largest scene file has {}", size, JsonLimits{}.bytes));
+    return fail(ErrorKind::limit, file.string(),
+                fmt::format("has {} bytes, the largest JSON text that is read has {}", size, JsonLimits{}.bytes));
   }
   const Result<FileBytes> content = read_file(file);
   if (!content) {
     return tl::unexpected(content.error());
   }
   if (is_gltf(file, content->view())) {
-    return load_bare_mesh(file, options);
+    return load_gltf_scene(file, options);
   }
   return load_scene_text(file, content->view(), options);
 }
@@ -233,7 +341,8 @@ Result<Notes> load_meshes(Scene& scene, const std::filesystem::path& folder, con
     for (const Note& note : unused_keys(scene)) {
       notes.add(note);
     }
-    if (const auto done = load_all(scene, folder, options, notes, true); !done) {
+    Loaded loaded;
+    if (const auto done = load_all(scene, folder, options, loaded, notes, true); !done) {
       return tl::unexpected(done.error());
     }
     return notes.take();

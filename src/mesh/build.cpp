@@ -108,6 +108,9 @@ class Unifier {
         corner = vertex[corner];
       }
     }
+    gather(source_.uvs1, mesh.uvs1);
+    gather(source_.tangents, mesh.tangents);
+    gather(source_.alphas, mesh.alphas);
   }
 
  private:
@@ -120,6 +123,15 @@ class Unifier {
       return source_.face_colors[f];
     }
     return source_.colors[valid_.corner_color.empty() ? source_.corner_position[c] : valid_.corner_color[c]];
+  }
+
+  /// What a vertex has from its position.
+  template <class T>
+  void gather(const std::vector<T>& from, std::vector<T>& to) const {
+    to.reserve(from.empty() ? 0 : position_of_.size());
+    for (std::size_t v = 0; v < position_of_.size() && !from.empty(); ++v) {
+      to.push_back(from[position_of_[v]]);
+    }
   }
 
   std::uint32_t vertex_of(std::uint32_t f, std::uint32_t c, Mesh& mesh) {

@@ -112,12 +112,12 @@ std::optional<PlainMesh> to_plain(SourceMesh& source, const NormalOptions& optio
   const std::size_t vertices = source.positions.size();
   const bool has_normals = !source.corner_normal.empty();
   const bool has_uvs = !source.corner_uv.empty();
-  const bool is_plain = makes_plain_normals(options) && !source.weld_first && source.face_colors.empty() &&
-                        (source.normals.empty() || (has_normals && source.normals.size() == vertices)) &&
-                        (source.uvs.empty() || (has_uvs && source.uvs.size() == vertices)) && is_all_smooth(source.face_smoothing) &&
-                        all_triangles(source.face_begin, threads) &&
-                        (!has_normals || all_equal_corners(source.corner_normal, source.corner_position, threads)) &&
-                        (!has_uvs || all_equal_corners(source.corner_uv, source.corner_position, threads));
+  const bool is_plain =
+      makes_plain_normals(options) && !source.weld_first && source.face_colors.empty() && source.uvs1.empty() && source.tangents.empty() &&
+      source.alphas.empty() && (source.normals.empty() || (has_normals && source.normals.size() == vertices)) &&
+      (source.uvs.empty() || (has_uvs && source.uvs.size() == vertices)) && is_all_smooth(source.face_smoothing) &&
+      all_triangles(source.face_begin, threads) && (!has_normals || all_equal_corners(source.corner_normal, source.corner_position, threads)) &&
+      (!has_uvs || all_equal_corners(source.corner_uv, source.corner_position, threads));
   if (!is_plain) {
     return std::nullopt;
   }

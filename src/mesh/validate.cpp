@@ -211,6 +211,9 @@ Result<void> check_source(const SourceMesh& s, int threads) {
       .and_then([&] { return check_faces(s); })
       .and_then([&] { return check_length(s.colors.size(), s.positions.size(), "colors", "positions"); })
       .and_then([&] { return check_length(s.face_colors.size(), s.face_count(), "face_colors", "faces"); })
+      .and_then([&] { return check_length(s.uvs1.size(), s.positions.size(), "uvs1", "positions"); })
+      .and_then([&] { return check_length(s.tangents.size(), s.positions.size(), "tangents", "positions"); })
+      .and_then([&] { return check_length(s.alphas.size(), s.positions.size(), "alphas", "positions"); })
       .and_then([&] { return check_length(s.corner_normal.size(), corners, "corner_normal", "corners"); })
       .and_then([&] { return check_length(s.corner_uv.size(), corners, "corner_uv", "corners"); })
       .and_then([&] { return check_length(s.face_smoothing.size(), s.face_count(), "face_smoothing", "faces"); })
@@ -243,7 +246,8 @@ Result<ValidMesh> validate(SourceMesh&& source, int threads) {
   };
   const std::size_t white = whiten(mesh.source.colors, threads) + whiten(mesh.source.face_colors, threads);
   note(white, "colour", "colours", "not finite: white instead");
-  note(replace_uvs(mesh.source.uvs, threads), "texture coordinate", "texture coordinates", "not finite: (0, 0) instead");
+  note(replace_uvs(mesh.source.uvs, threads) + replace_uvs(mesh.source.uvs1, threads), "texture coordinate", "texture coordinates",
+       "not finite: (0, 0) instead");
   const std::size_t unusable = normalize_normals(mesh.source.normals, threads);
   note(unusable, "normal", "normals", "zero or not finite: made from the faces instead");
   if (unusable > 0) {

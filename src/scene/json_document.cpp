@@ -8,6 +8,7 @@
 
 #include "scene/json_path.hpp"
 #include "scene/nearest.hpp"
+#include "scene/text_values.hpp"
 
 namespace lustro {
 namespace {
@@ -181,7 +182,7 @@ class TreeBuilder {
 
 Result<nlohmann::json> parse_json(std::string_view text, const std::string& file, const JsonLimits& limits) {
   if (text.size() > limits.bytes) {
-    return fail(ErrorKind::limit, file, fmt::format("has {} bytes, the largest scene file has {}", text.size(), limits.bytes));
+    return fail(ErrorKind::limit, file, fmt::format("has {} bytes, the largest JSON text that is read has {}", text.size(), limits.bytes));
   }
   TreeBuilder builder(text, file, limits);
   try {
@@ -190,6 +191,27 @@ Result<nlohmann::json> parse_json(std::string_view text, const std::string& file
     return fail(ErrorKind::limit, file, "does not fit into memory");
   } catch (const json::exception& error) {
     return fail(ErrorKind::malformed, file, error.what());
+  }
+}
+
+std::string found_text(const json& value) {
+  switch (value.type()) {
+    case json::value_t::null:
+      return "null";
+    case json::value_t::boolean:
+      return value.get<bool>() ? "true" : "false";
+    case json::value_t::number_integer:
+    case json::value_t::number_unsigned:
+    case json::value_t::number_float:
+      return number_text(value.get<double>());
+    case json::value_t::string:
+      return quote(value.get_ref<const std::string&>());
+    case json::value_t::array:
+      return value.empty() ? "an empty list" : fmt::format("a list of {}", value.size());
+    case json::value_t::object:
+      return value.empty() ? "an empty table" : fmt::format("a table of {}", value.size());
+    default:
+      return "something else";
   }
 }
 

@@ -21,4 +21,7 @@ struct JsonLimits {
 /// errors  malformed, `file:line:column` where the text is no JSON, `file: path` for a key that is stated twice; limit
 [[nodiscard]] Result<nlohmann::json> parse_json(std::string_view text, const std::string& file, const JsonLimits& limits = {});
 
+/// A value for messages: `"abc"`, `4.5`, `a list of 2`.
+[[nodiscard]] std::string found_text(const nlohmann::json& value);
+
 }  // namespace lustro

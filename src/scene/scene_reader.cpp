@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/fields.hpp"
+#include "scene/json_document.hpp"
 #include "scene/nearest.hpp"
 #include "scene/text_values.hpp"
 
@@ -17,28 +18,6 @@ using nlohmann::json;
 
 tl::unexpected<Error> fail_at(const JsonPath& path, std::string message, ErrorKind kind = ErrorKind::malformed) {
   return fail(kind, path.text(), std::move(message));
-}
-
-/// What stands there, for messages: `"abc"`, `4.5`, `a list of 2`.
-std::string found_text(const json& value) {
-  switch (value.type()) {
-    case json::value_t::null:
-      return "null";
-    case json::value_t::boolean:
-      return value.get<bool>() ? "true" : "false";
-    case json::value_t::number_integer:
-    case json::value_t::number_unsigned:
-    case json::value_t::number_float:
-      return number_text(value.get<double>());
-    case json::value_t::string:
-      return quote(value.get_ref<const std::string&>());
-    case json::value_t::array:
-      return value.empty() ? "an empty list" : fmt::format("a list of {}", value.size());
-    case json::value_t::object:
-      return value.empty() ? "an empty table" : fmt::format("a table of {}", value.size());
-    default:
-      return "something else";
-  }
 }
 
 tl::unexpected<Error> expected_at(const JsonPath& path, std::string_view expected, const json& found) {

@@ -42,7 +42,7 @@ TEST(JsonDocument, KeepsItsLimits) {
   EXPECT_EQ(error_of("[1, 2, 3]", {.values = 4}), "");
   EXPECT_EQ(error_of("[1, 2, 3]", {.values = 3}), "s.json: has more than 3 values");
   EXPECT_EQ(error_of("{\"a\": {}}", {.values = 1}), "s.json: has more than 1 values");
-  EXPECT_EQ(error_of("[1]", {.bytes = 2}), "s.json: has 3 bytes, the largest scene file has 2");
+  EXPECT_EQ(error_of("[1]", {.bytes = 2}), "s.json: has 3 bytes, the largest JSON text that is read has 2");
   EXPECT_EQ(JsonLimits{}.bytes, 268435456U);
 }
 

@@ -1,0 +1,58 @@
+// A glTF mesh as it stands in a pose: primitives as triangles, morph targets and skin applied.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "io/gltf_file.hpp"
+#include "io/gltf_pose.hpp"
+#include "lustro/mesh.hpp"
+
+namespace lustro {
+
+/// Gathers primitives into one SourceMesh. Materials are those that its triangles use.
+class GltfMeshBuilder {
+ public:
+  GltfMeshBuilder(GltfFile& file, const GltfPose& pose) : file_(file), pose_(pose) {}
+
+  /// The mesh of a node: skinned, in world space; else in the node's own space, moved by `placement`.
+  /// object  the index into SourceMesh::objects that its faces get; kNone: no objects are stated
+  [[nodiscard]] Result<void> add(std::uint32_t node, const std::optional<Mat4>& placement, std::uint32_t object);
+
+  /// The mesh with its notes.
+  [[nodiscard]] SourceMesh finish();
+
+  SourceMesh& mesh() { return mesh_; }
+
+ private:
+  struct Vertices;
+  /// Vertices that are in the mesh: primitives that name the same accessors share them.
+  struct Placed {
+    std::uint32_t base = 0, count = 0;
+    bool has_normals = false;
+    bool is_mirrored = false;
+    std::vector<std::uint32_t> packed_indices{};  ///< of a Draco mesh
+  };
+  using Shared = std::map<std::vector<std::uint32_t>, Placed>;
+  [[nodiscard]] Result<void> add_primitive(std::uint32_t node, const GltfPrimitive& primitive, const std::string& path,
+                                           const std::optional<Mat4>& placement, std::uint32_t object, Shared& shared);
+  [[nodiscard]] Result<Placed> place(std::uint32_t node, const GltfPrimitive& primitive, const std::string& path,
+                                     const std::optional<Mat4>& placement);
+  [[nodiscard]] Result<void> read_vertices(const GltfPrimitive& primitive, const std::string& path, Vertices& vertices);
+  [[nodiscard]] Result<void> unpack(const GltfPrimitive& primitive, const std::string& path, Vertices& vertices);
+  [[nodiscard]] Result<void> morph(const GltfPrimitive& primitive, const std::vector<double>& weights, Vertices& vertices);
+  [[nodiscard]] Result<void> skin(const GltfPrimitive& primitive, std::uint32_t skin, Vertices& vertices);
+  void append(const Vertices& vertices);
+  [[nodiscard]] Result<void> add_faces(const GltfPrimitive& primitive, const std::string& path, const Placed& vertices, std::uint32_t object);
+  std::uint32_t material_of(std::uint32_t material);
+
+  GltfFile& file_;
+  const GltfPose& pose_;
+  SourceMesh mesh_;
+  std::map<std::uint32_t, std::uint32_t> materials_;  ///< of the document: index here
+  std::size_t points_ = 0, lines_ = 0, empty_ = 0;    ///< primitives that are left out
+  bool has_flat_ = false;
+};
+
+}  // namespace lustro
