@@ -93,6 +93,19 @@ std::string material_rows(const std::vector<Material>& materials) {
   return text;
 }
 
+/// `cameras  2: 0 front, 1 (no name)`
+std::string names_row(const char* what, const std::vector<std::string>& names) {
+  if (names.empty()) {
+    return row(what, "none");
+  }
+  std::string text = grouped(names.size()) + ":";
+  constexpr std::size_t kMost = 20;
+  for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i) {
+    text += fmt::format("{} {} {}", i == 0 ? "" : ",", i, names[i].empty() ? "(no name)" : names[i]);
+  }
+  return row(what, names.size() > kMost ? text + ", ..." : text);
+}
+
 std::string note_rows(const char* name, const Notes& notes) {
   std::string text;
   for (const Note& note : notes) {
@@ -157,7 +170,7 @@ Bounds scene_bounds(const Scene& scene) {
 }  // namespace
 
 MeshReport make_mesh_report(const std::string& file, const SourceMesh& source, const BuiltMesh& built) {
-  return {file, &source, &built, mesh_stats(built.mesh)};
+  return {file, &source, &built, mesh_stats(built.mesh), nullptr};
 }
 
 std::string mesh_text(const MeshReport& report) {
@@ -177,29 +190,39 @@ std::string mesh_text(const MeshReport& report) {
     text += fmt::format("    {}\n", printable(source.objects[i].empty() ? "(no name)" : source.objects[i]));
   }
   text += material_rows(source.materials);
+  if (report.scene != nullptr) {
+    text += names_row("cameras", report.scene->cameras) + names_row("animations", report.scene->animations);
+    text +=
+        row("lights", report.scene->scene.lights ? grouped(report.scene->scene.lights->size()) : std::string("none stated: the default rig"));
+  }
   return text + note_rows("noticed", all_notes(report));
 }
 
 Json mesh_json(const MeshReport& report) {
   const SourceMesh& source = *report.source;
   const Mesh& mesh = report.built->mesh;
-  return {{"file", report.file},
-          {"kind", "mesh"},
-          {"format", source.format},
-          {"stated",
-           {{"vertices", source.positions.size()},
-            {"faces", source.face_count()},
-            {"triangles", source.stated_triangle_count()},
-            {"normals", source.normals.size()},
-            {"uvs", source.uvs.size()},
-            {"vertex_colors", source.colors.size()},
-            {"face_colors", source.face_colors.size()}}},
-          {"drawn", {{"vertices", mesh.positions.size()}, {"triangles", mesh.triangles.size()}}},
-          {"bounds", json_bounds(mesh.bounds())},
-          {"surface", stats_json(report.stats)},
-          {"objects", source.objects},
-          {"materials", materials_json(source.materials)},
-          {"notes", json_notes(all_notes(report))}};
+  Json json{{"file", report.file},
+            {"kind", "mesh"},
+            {"format", source.format},
+            {"stated",
+             {{"vertices", source.positions.size()},
+              {"faces", source.face_count()},
+              {"triangles", source.stated_triangle_count()},
+              {"normals", source.normals.size()},
+              {"uvs", source.uvs.size()},
+              {"vertex_colors", source.colors.size()},
+              {"face_colors", source.face_colors.size()}}},
+            {"drawn", {{"vertices", mesh.positions.size()}, {"triangles", mesh.triangles.size()}}},
+            {"bounds", json_bounds(mesh.bounds())},
+            {"surface", stats_json(report.stats)},
+            {"objects", source.objects},
+            {"materials", materials_json(source.materials)},
+            {"notes", json_notes(all_notes(report))}};
+  if (report.scene != nullptr) {
+    json["cameras"] = report.scene->cameras;
+    json["animations"] = report.scene->animations;
+  }
+  return json;
 }
 
 std::string scene_info_text(const std::string& file, const LoadedScene& loaded) {

@@ -16,6 +16,7 @@ struct MeshReport {
   const SourceMesh* source = nullptr;
   const BuiltMesh* built = nullptr;
   MeshStats stats;
+  const LoadedScene* scene = nullptr;  ///< what a glTF file says beyond its meshes
 };
 
 [[nodiscard]] MeshReport make_mesh_report(const std::string& file, const SourceMesh& source, const BuiltMesh& built);

@@ -38,16 +38,29 @@ bool is_scene_file(const std::filesystem::path& file) {
   return extension == ".json" || (stream && c == '{');
 }
 
-void add_mtl_flag(CLI::App& app, bool& mtl_tr) {
-  app.add_flag("--mtl-tr", mtl_tr, "A lone Tr in an MTL file is the opacity, as 3ds Max writes it, not 1 - opacity")
+void add_input_flags(CLI::App& app, InputFlags& flags) {
+  const std::string group = "Input";
+  app.add_flag("--mtl-tr", flags.mtl_tr, "A lone Tr in an MTL file is the opacity, as 3ds Max writes it, not 1 - opacity")
       ->disable_flag_override()
-      ->group("Input");
+      ->group(group);
+  app.add_option("--gltf-camera", flags.gltf_camera, "Looks through a camera of a glTF file, by its number or name (default: frames everything)")
+      ->type_name("CAMERA")
+      ->group(group);
+  app.add_option("--time", flags.time, "Shows a glTF file at this moment of its animation (seconds; default: as it stands without it)")
+      ->type_name("SECONDS")
+      ->group(group);
+  app.add_option("--animation", flags.animation, "Which animation of a glTF file, by its number or name (default: the first)")
+      ->type_name("ANIMATION")
+      ->group(group);
 }
 
-LoadOptions load_options(const Session& session, bool mtl_tr) {
+LoadOptions load_options(const Session& session, const InputFlags& flags) {
   LoadOptions options;
-  options.transparency_is_tr = mtl_tr;
+  options.transparency_is_tr = flags.mtl_tr;
   options.threads = session.threads;
+  options.gltf_camera = flags.gltf_camera;
+  options.time = flags.time;
+  options.animation = flags.animation;
   return options;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "lustro/scene.hpp"
@@ -19,13 +20,21 @@ namespace lustro::app {
 [[nodiscard]] bool is_scene_file(const std::filesystem::path& file);
 
 /// What SCENE may be, for help.
-inline constexpr const char* kSceneHelp = "A scene file, a mesh (OBJ, PLY, STL, OFF, 3MF), or primitive:NAME (plane, cube, sphere, torus, teapot)";
+inline constexpr const char* kSceneHelp = "A scene file, a mesh (OBJ, PLY, STL, OFF, 3MF, glTF), or primitive:NAME (plane, cube, sphere, torus, teapot)";
 
-/// `--mtl-tr`, of every command that loads.
-void add_mtl_flag(CLI::App& app, bool& mtl_tr);
+/// What a command says about reading files.
+struct InputFlags {
+  bool mtl_tr = false;
+  std::string gltf_camera;
+  std::string animation;
+  std::optional<double> time;
+};
+
+/// `--mtl-tr`, `--gltf-camera`, `--time`, `--animation`, of every command that loads.
+void add_input_flags(CLI::App& app, InputFlags& flags);
 
 /// How the command loads.
-[[nodiscard]] LoadOptions load_options(const Session& session, bool mtl_tr);
+[[nodiscard]] LoadOptions load_options(const Session& session, const InputFlags& flags);
 
 /// A scene file, a mesh file or a primitive.
 /// options  `adjust` must be set

@@ -31,12 +31,13 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/lustroConfig.cmake ${CMAKE_CURRENT_BIN
 # without --static.
 list(JOIN LUSTRO_PKG_CONFIG_REQUIRES ", " required)
 set(pc_requires "")
+set(pc_codecs "")
 set(pc_requires_private "")
 set(pc_libs "-lstdc++ -lm")
 if(library_type STREQUAL "STATIC_LIBRARY")
   set(pc_requires "Requires: ${required}")
   if(meshoptimizer_FOUND) # which has no file for pkg-config
-    string(PREPEND pc_libs "-lmeshoptimizer ")
+    set(pc_codecs " -lmeshoptimizer")
   endif()
 else()
   set(pc_requires_private "Requires.private: ${required}")

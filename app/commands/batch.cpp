@@ -33,7 +33,7 @@ struct BatchFlags {
   bool resume = false;
   bool warnings = false;
   bool allow_empty = false;
-  bool mtl_tr = false;
+  InputFlags input;
 };
 
 struct Failure {
@@ -88,7 +88,7 @@ bool is_done(const BatchJob& job) {
 /// One model, on one thread, to its file.
 Result<Rendering> draw_job(const BatchFlags& flags, const BatchJob& job, RenderOptions options, Notes& notes) {
   const Session alone{.threads = 1, .quiet = true};
-  Result<LoadedScene> loaded = load_scene_argument(job.input, flags.scene_flags, load_options(alone, flags.mtl_tr));
+  Result<LoadedScene> loaded = load_scene_argument(job.input, flags.scene_flags, load_options(alone, flags.input));
   if (!loaded) {
     return tl::unexpected(loaded.error());
   }
@@ -298,7 +298,7 @@ Command make_batch(CommandLine& line, Session& session) {
       ->group(limits);
   flags->scene_flags = add_scene_flags(*app);
   add_draw_flags(*app, flags->draw_flags, flags->scene_flags);
-  add_mtl_flag(*app, flags->mtl_tr);
+  add_input_flags(*app, flags->input);
   return {app,
           {{"lustro batch models -o thumbnails --size 512x512 --samples 4", "a folder of meshes"},
            {"lustro batch models -r -o thumbnails --resume --time-limit 30 --memory-limit 2000", "again, only what is new; with limits"},

@@ -27,7 +27,7 @@ struct BenchFlags {
   DrawFlags draw_flags;
   int frames = 60;
   int warmup = 3;
-  bool mtl_tr = false;
+  InputFlags input;
 };
 
 Result<void> check_flags(const BenchFlags& flags) {
@@ -83,7 +83,7 @@ Result<ExitCode> run_bench(const Session& session, const BenchFlags& flags) {
   }
   options->store_color = false;
   options->store_bytes = true;
-  Result<LoadedScene> loaded = load_scene_argument(flags.scene, flags.scene_flags, load_options(session, flags.mtl_tr));
+  Result<LoadedScene> loaded = load_scene_argument(flags.scene, flags.scene_flags, load_options(session, flags.input));
   if (!loaded) {
     return tl::unexpected(loaded.error());
   }
@@ -140,7 +140,7 @@ Command make_bench(CommandLine& line, Session& session) {
   app->add_option("--warmup", flags->warmup, "Pictures to draw before those that count (default: 3)")->type_name("N")->group(group);
   flags->scene_flags = add_scene_flags(*app);
   add_draw_flags(*app, flags->draw_flags, flags->scene_flags);
-  add_mtl_flag(*app, flags->mtl_tr);
+  add_input_flags(*app, flags->input);
   return {app,
           {{"lustro bench bunny.ply --size 1920x1080 --samples 1", "median and best of 60 frames"},
            {"lustro bench scene.json --frames 200 --threads 1 --target avx2 --json", "another setting, for a script"}},

@@ -12,11 +12,11 @@ struct ExplainFlags {
   std::string scene;
   int x = 0, y = 0;
   SceneFlags scene_flags;
-  bool mtl_tr = false;
+  InputFlags input;
 };
 
 Result<ExitCode> run_explain(const Session& session, const ExplainFlags& flags) {
-  const Result<LoadedScene> loaded = load_scene_argument(flags.scene, flags.scene_flags, load_options(session, flags.mtl_tr));
+  const Result<LoadedScene> loaded = load_scene_argument(flags.scene, flags.scene_flags, load_options(session, flags.input));
   if (!loaded) {
     return tl::unexpected(loaded.error());
   }
@@ -51,7 +51,7 @@ Command make_explain(CommandLine& line, Session& session) {
   app->add_option("X", flags->x, "The pixel's column, 0 is the left one")->type_name("N")->required();
   app->add_option("Y", flags->y, "The pixel's row, 0 is the top one")->type_name("N")->required();
   flags->scene_flags = add_scene_flags(*app);
-  add_mtl_flag(*app, flags->mtl_tr);
+  add_input_flags(*app, flags->input);
   return {app,
           {{"lustro explain scene.json 400 300", "why that pixel has its colour"},
            {"lustro explain bunny.ply 512 384 --lighting blinn-phong --json", "with flags as of `lustro render`, for a script"}},

@@ -16,7 +16,7 @@ struct HashFlags {
   DrawFlags draw_flags;
   std::string aovs;
   bool allow_empty = false;
-  bool mtl_tr = false;
+  InputFlags input;
 };
 
 /// The bare hash of the picture; with layers a line for each, led by the picture's.
@@ -49,7 +49,7 @@ Result<ExitCode> run_hash(const Session& session, const HashFlags& flags) {
   if (!options) {
     return tl::unexpected(options.error());
   }
-  Result<LoadedScene> loaded = load_scene_argument(flags.scene, flags.scene_flags, load_options(session, flags.mtl_tr));
+  Result<LoadedScene> loaded = load_scene_argument(flags.scene, flags.scene_flags, load_options(session, flags.input));
   if (!loaded) {
     return tl::unexpected(loaded.error());
   }
@@ -79,7 +79,7 @@ Command make_hash(CommandLine& line, Session& session) {
   app->add_flag("--allow-empty", flags->allow_empty, "Prints the hash even if nothing was drawn")->disable_flag_override()->group(output);
   flags->scene_flags = add_scene_flags(*app);
   add_draw_flags(*app, flags->draw_flags, flags->scene_flags);
-  add_mtl_flag(*app, flags->mtl_tr);
+  add_input_flags(*app, flags->input);
   return {app,
           {{"lustro hash scene.json", "for a list of what pictures should be, or a comparison between machines"},
            {"lustro hash bunny.ply --aov depth,normal,diffuse", "the hash of each layer, too"},

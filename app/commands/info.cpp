@@ -15,7 +15,7 @@ namespace {
 
 struct InfoFlags {
   std::string file;
-  bool mtl_tr = false;
+  InputFlags input;
 };
 
 Result<ExitCode> finish(const Session& session, const Json& json, const std::string& text) {
@@ -35,7 +35,16 @@ Result<ExitCode> mesh_info(const Session& session, const InfoFlags& flags, const
   if (!built) {
     return tl::unexpected(built.error());
   }
-  const MeshReport report = make_mesh_report(flags.file, *source, *built);
+  MeshReport report = make_mesh_report(flags.file, *source, *built);
+  LoadedScene scene;
+  if (source->format.starts_with("glTF")) {
+    Result<LoadedScene> loaded = load_scene(flags.file, options);
+    if (!loaded) {
+      return tl::unexpected(loaded.error());
+    }
+    scene = std::move(*loaded);
+    report.scene = &scene;
+  }
   return finish(session, mesh_json(report), mesh_text(report));
 }
 
@@ -52,13 +61,13 @@ Result<ExitCode> scene_info(const Session& session, const InfoFlags& flags, cons
 Command make_info(CommandLine& line, Session& session) {
   CLI::App* app = add_subcommand(line, session, "info", "Tells what a mesh or scene file holds, and what was repaired in it");
   auto flags = std::make_shared<InfoFlags>();
-  app->add_option("FILE", flags->file, "A mesh (OBJ, PLY, STL, OFF, 3MF), a scene file, or primitive:NAME")->type_name("FILE")->required();
-  add_mtl_flag(*app, flags->mtl_tr);
+  app->add_option("FILE", flags->file, "A mesh (OBJ, PLY, STL, OFF, 3MF, glTF), a scene file, or primitive:NAME")->type_name("FILE")->required();
+  add_input_flags(*app, flags->input);
   return {
       app,
       {{"lustro info bunny.ply", "counts, bounds, materials, repairs"}, {"lustro info scene.json --json", "the same of a scene, for a script"}},
       [&session, flags]() -> Result<ExitCode> {
-        const LoadOptions options = load_options(session, flags->mtl_tr);
+        const LoadOptions options = load_options(session, flags->input);
         const bool is_scene = !is_primitive(flags->file) && is_scene_file(flags->file);
         return is_scene ? scene_info(session, *flags, options) : mesh_info(session, *flags, options);
       }};

@@ -26,7 +26,7 @@ struct RenderFlags {
   std::string aovs;
   PngFlags png;
   bool allow_empty = false;
-  bool mtl_tr = false;
+  InputFlags input;
   bool print_scene = false;
 };
 
@@ -89,7 +89,7 @@ Result<ExitCode> run_render(const Session& session, const RenderFlags& flags) {
     }
     expected = *parsed;
   }
-  Result<LoadedScene> loaded = load_scene_argument(flags.scene, flags.scene_flags, load_options(session, flags.mtl_tr));
+  Result<LoadedScene> loaded = load_scene_argument(flags.scene, flags.scene_flags, load_options(session, flags.input));
   if (!loaded) {
     return tl::unexpected(loaded.error());
   }
@@ -173,7 +173,7 @@ Command make_render(CommandLine& line, Session& session) {
   app->add_flag("--print-scene", flags->print_scene, "Draws nothing; prints the scene file with all flags laid over it")->group(output);
   flags->scene_flags = add_scene_flags(*app);
   add_draw_flags(*app, flags->draw_flags, flags->scene_flags);
-  add_mtl_flag(*app, flags->mtl_tr);
+  add_input_flags(*app, flags->input);
   return {app,
           {{"lustro render bunny.ply --material jade --view front -o jade.png", "a mesh in a classic material, from the front"},
            {"lustro render scene.json --size 1920x1080 --samples 16 -o big.png", "a scene, larger and smoother than its file says"},

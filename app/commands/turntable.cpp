@@ -30,7 +30,7 @@ struct TurntableFlags {
   std::optional<double> frames_per_second;
   std::string orbit = "object";
   int quality = 90;
-  bool mtl_tr = false;
+  InputFlags input;
 };
 
 /// Two of number, time and rate make the third.
@@ -146,7 +146,7 @@ Result<ExitCode> run_turntable(const Session& session, const TurntableFlags& fla
   }
   options->store_color = false;
   options->store_bytes = true;
-  Result<LoadedScene> loaded = load_scene_argument(flags.scene, flags.scene_flags, load_options(session, flags.mtl_tr));
+  Result<LoadedScene> loaded = load_scene_argument(flags.scene, flags.scene_flags, load_options(session, flags.input));
   if (!loaded) {
     return tl::unexpected(loaded.error());
   }
@@ -216,7 +216,7 @@ Command make_turntable(CommandLine& line, Session& session) {
       ->group(turn);
   flags->scene_flags = add_scene_flags(*app);
   add_draw_flags(*app, flags->draw_flags, flags->scene_flags);
-  add_mtl_flag(*app, flags->mtl_tr);
+  add_input_flags(*app, flags->input);
   return {app,
           {{"lustro turntable bunny.ply -o bunny.webp --size 480x480 --seconds 4", "a small animation for a page"},
            {"lustro turntable scene.json -o frames --frames 240", "frames/frame_0001.png and so on, for a film"},

@@ -78,10 +78,15 @@ struct GltfAttributes {
 
 enum class GltfMode : std::uint8_t { points, lines, line_loop, line_strip, triangles, triangle_strip, triangle_fan };
 
-/// KHR_draco_mesh_compression of a primitive: by attribute, the id within the packed mesh.
+/// KHR_draco_mesh_compression of a primitive.
 struct GltfDraco {
+  struct Attribute {
+    std::string name;            ///< `POSITION`
+    std::uint32_t accessor = 0;  ///< that states its type and count
+    std::uint32_t id = 0;        ///< within the packed mesh
+  };
   std::uint32_t view = 0;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> id_of_accessor{};  ///< accessor, id
+  std::vector<Attribute> attributes{};
 };
 
 struct GltfPrimitive {

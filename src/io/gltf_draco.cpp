@@ -34,10 +34,10 @@ float divisor_of(draco::DataType type) {
 Result<std::vector<float>> values_of(const draco::Mesh& mesh, const DracoWish& wish) {
   const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(wish.id);
   if (attribute == nullptr) {
-    return fail(ErrorKind::malformed, {}, fmt::format("the packed mesh has no attribute with the id {}", wish.id));
+    return fail(ErrorKind::malformed, wish.name, fmt::format("the packed mesh has no attribute with the id {}", wish.id));
   }
   if (attribute->num_components() != static_cast<int>(wish.components)) {
-    return fail(ErrorKind::malformed, {},
+    return fail(ErrorKind::malformed, wish.name,
                 fmt::format("the packed attribute {} has {} components, expected {}", wish.id, attribute->num_components(), wish.components));
   }
   const float divisor = wish.is_normalized && !attribute->normalized() ? divisor_of(attribute->data_type()) : 1;
@@ -46,7 +46,7 @@ Result<std::vector<float>> values_of(const draco::Mesh& mesh, const DracoWish& w
     const draco::AttributeValueIndex index = attribute->mapped_index(draco::PointIndex(i));
     float* to = values.data() + i * wish.components;
     if (index.value() >= attribute->size() || !attribute->ConvertValue<float>(index, static_cast<std::int8_t>(wish.components), to)) {
-      return fail(ErrorKind::malformed, {}, fmt::format("the packed attribute {} has no value for point {}", wish.id, i));
+      return fail(ErrorKind::malformed, wish.name, fmt::format("the packed attribute {} has no value for point {}", wish.id, i));
     }
     for (std::size_t k = 0; k < wish.components; ++k) {
       to[k] /= divisor;

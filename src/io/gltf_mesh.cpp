@@ -75,6 +75,10 @@ void append_stream(std::vector<T>& to, std::vector<T>&& from, std::size_t base, 
 
 }  // namespace
 
+bool is_drawn(const GltfPrimitive& primitive) {
+  return primitive.mode >= GltfMode::triangles && primitive.attributes.position != kGltfNone;
+}
+
 /// Vertices of one primitive on their way.
 struct GltfMeshBuilder::Vertices {
   std::size_t count = 0;
@@ -105,17 +109,18 @@ Result<void> GltfMeshBuilder::unpack(const GltfPrimitive& primitive, const std::
   const GltfAttributes& a = primitive.attributes;
   const std::string place = path + ".extensions.KHR_draco_mesh_compression";
   std::vector<DracoWish> wishes;
-  for (const auto& [accessor, id] : primitive.draco->id_of_accessor) {
-    const GltfAccessor& stated = file_.document.accessors[accessor];
-    wishes.push_back({id, stated.components(), stated.is_normalized});
+  for (const GltfDraco::Attribute& attribute : primitive.draco->attributes) {
+    const GltfAccessor& stated = file_.document.accessors[attribute.accessor];
+    wishes.push_back({attribute.name, attribute.id, stated.components(), stated.is_normalized});
   }
   Result<DracoMesh> mesh = unpack_draco(file_.views[primitive.draco->view], wishes, file_.values_left);
   if (!mesh) {
-    return file_.fail_at(place, mesh.error().message, mesh.error().kind);
+    return file_.fail_at(mesh.error().where.empty() ? place : place + ".attributes." + mesh.error().where, mesh.error().message,
+                         mesh.error().kind);
   }
   std::uint64_t values = mesh->indices.size();
   for (std::size_t i = 0; i < wishes.size(); ++i) {
-    const std::uint32_t accessor = primitive.draco->id_of_accessor[i].first;
+    const std::uint32_t accessor = primitive.draco->attributes[i].accessor;
     if (file_.document.accessors[accessor].count != mesh->points) {
       return file_.fail_at(
           place, fmt::format("holds {} points, and accessors[{}] states {}", mesh->points, accessor, file_.document.accessors[accessor].count));
@@ -132,7 +137,7 @@ Result<void> GltfMeshBuilder::unpack(const GltfPrimitive& primitive, const std::
   }
   const auto packed = [&](std::uint32_t accessor) -> std::vector<float> {
     for (std::size_t i = 0; accessor != kGltfNone && i < wishes.size(); ++i) {
-      if (primitive.draco->id_of_accessor[i].first == accessor) {
+      if (primitive.draco->attributes[i].accessor == accessor) {
         return mesh->values[i];
       }
     }
@@ -333,12 +338,14 @@ void GltfMeshBuilder::append(const Vertices& vertices) {
   append_stream(mesh_.alphas, std::move(alphas), base, count, 1.0F);
 }
 
-std::uint32_t GltfMeshBuilder::material_of(std::uint32_t material) {
-  const auto [found, is_new] = materials_.try_emplace(material, static_cast<std::uint32_t>(mesh_.materials.size()));
+std::uint32_t GltfMeshBuilder::material_of(std::uint32_t material, bool is_colored) {
+  const auto [found, is_new] = materials_.try_emplace({material, is_colored}, static_cast<std::uint32_t>(mesh_.materials.size()));
   if (is_new) {
-    GltfMaterial standard;
-    standard.name = "default";
-    mesh_.materials.push_back(classic_material(material == kGltfNone ? standard : file_.document.materials[material]));
+    GltfMaterial stated;
+    stated.name = "default";
+    stated = material == kGltfNone ? stated : file_.document.materials[material];
+    stated.metallic = is_colored ? 0 : stated.metallic;  // vertex colours tint what is scattered, and a metal scatters nothing
+    mesh_.materials.push_back(classic_material(stated));
   }
   return found->second;
 }
@@ -371,7 +378,7 @@ Result<void> GltfMeshBuilder::add_faces(const GltfPrimitive& primitive, const st
   if (mesh_.corner_position.size() + 3 * triangles > kMostElements) {
     return file_.fail_at(path, fmt::format("the mesh has more than {} corners", kMostElements), ErrorKind::limit);
   }
-  const std::uint32_t material = material_of(primitive.material);
+  const std::uint32_t material = material_of(primitive.material, vertices.has_colors);
   const std::uint32_t smoothing = vertices.has_normals ? 1 : 0;
   has_flat_ = has_flat_ || (smoothing == 0 && triangles != 0);
   for (std::size_t t = 0; t < triangles; ++t) {
@@ -415,7 +422,8 @@ Result<GltfMeshBuilder::Placed> GltfMeshBuilder::place(std::uint32_t node_index,
   if (const Result<void> done = morph(primitive, pose_.weights[node_index], vertices); !done) {
     return tl::unexpected(done.error());
   }
-  Placed placed{static_cast<std::uint32_t>(mesh_.positions.size()), static_cast<std::uint32_t>(vertices.count), !vertices.normals.empty()};
+  Placed placed{static_cast<std::uint32_t>(mesh_.positions.size()), static_cast<std::uint32_t>(vertices.count), !vertices.normals.empty(),
+                !vertices.colors.empty()};
   if (node.skin != kGltfNone && !primitive.attributes.joints.empty()) {
     if (const Result<void> done = skin(primitive, node.skin, vertices); !done) {
       return tl::unexpected(done.error());
@@ -431,12 +439,7 @@ Result<GltfMeshBuilder::Placed> GltfMeshBuilder::place(std::uint32_t node_index,
 
 Result<void> GltfMeshBuilder::add_primitive(std::uint32_t node, const GltfPrimitive& primitive, const std::string& path,
                                             const std::optional<Mat4>& placement, std::uint32_t object, Shared& shared) {
-  if (primitive.mode < GltfMode::triangles) {
-    ++(primitive.mode == GltfMode::points ? points_ : lines_);
-    return {};
-  }
-  if (primitive.attributes.position == kGltfNone) {
-    ++empty_;
+  if (!is_drawn(primitive)) {
     return {};
   }
   std::vector<std::uint32_t> key;
@@ -487,14 +490,6 @@ SourceMesh GltfMeshBuilder::finish() {
     mesh_.face_smoothing = {};
   }
   mesh_.format = file_.is_binary ? "glTF (binary)" : "glTF";
-  const auto note = [&](std::size_t count, const char* one, const char* many, const char* what) {
-    if (count > 0) {
-      mesh_.notes.push_back({file_.name, fmt::format("{} {} {}", count, count == 1 ? one : many, what)});
-    }
-  };
-  note(points_, "primitive of points is", "primitives of points are", "skipped: only triangles are drawn");
-  note(lines_, "primitive of lines is", "primitives of lines are", "skipped: only triangles are drawn");
-  note(empty_, "primitive", "primitives", "without POSITION skipped");
   return std::move(mesh_);
 }
 

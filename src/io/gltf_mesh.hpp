@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "io/gltf_file.hpp"
@@ -10,6 +11,9 @@
 #include "lustro/mesh.hpp"
 
 namespace lustro {
+
+/// Whether a primitive becomes triangles: not points and lines, nor what has no positions.
+[[nodiscard]] bool is_drawn(const GltfPrimitive& primitive);
 
 /// Gathers primitives into one SourceMesh. Materials are those that its triangles use.
 class GltfMeshBuilder {
@@ -20,7 +24,6 @@ class GltfMeshBuilder {
   /// object  the index into SourceMesh::objects that its faces get; kNone: no objects are stated
   [[nodiscard]] Result<void> add(std::uint32_t node, const std::optional<Mat4>& placement, std::uint32_t object);
 
-  /// The mesh with its notes.
   [[nodiscard]] SourceMesh finish();
 
   SourceMesh& mesh() { return mesh_; }
@@ -31,6 +34,7 @@ class GltfMeshBuilder {
   struct Placed {
     std::uint32_t base = 0, count = 0;
     bool has_normals = false;
+    bool has_colors = false;
     bool is_mirrored = false;
     std::vector<std::uint32_t> packed_indices{};  ///< of a Draco mesh
   };
@@ -45,13 +49,12 @@ class GltfMeshBuilder {
   [[nodiscard]] Result<void> skin(const GltfPrimitive& primitive, std::uint32_t skin, Vertices& vertices);
   void append(const Vertices& vertices);
   [[nodiscard]] Result<void> add_faces(const GltfPrimitive& primitive, const std::string& path, const Placed& vertices, std::uint32_t object);
-  std::uint32_t material_of(std::uint32_t material);
+  std::uint32_t material_of(std::uint32_t material, bool is_colored);
 
   GltfFile& file_;
   const GltfPose& pose_;
   SourceMesh mesh_;
-  std::map<std::uint32_t, std::uint32_t> materials_;  ///< of the document: index here
-  std::size_t points_ = 0, lines_ = 0, empty_ = 0;    ///< primitives that are left out
+  std::map<std::pair<std::uint32_t, bool>, std::uint32_t> materials_;  ///< of the document, with vertex colours or without: index here
   bool has_flat_ = false;
 };
 

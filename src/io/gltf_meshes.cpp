@@ -155,7 +155,7 @@ class MeshReader {
       if (index == kGltfNone) {
         reader_.fail(ids, key, "is no attribute of the primitive");
       }
-      packed.id_of_accessor.emplace_back(index, id);
+      packed.attributes.push_back({key, index, id});
     }
     return packed;
   }

@@ -117,6 +117,7 @@ const Json& GltfReader::tables(const Json& parent, std::string_view key) {
       expected(one, "a table {...}");
       return empty_list();
     }
+    static_cast<void>(text(one, "name"));  // every table of a list may have one
   }
   return all;
 }

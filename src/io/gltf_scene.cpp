@@ -86,6 +86,35 @@ bool is_solid(const Mat4& m) {
          std::all_of(m.m.begin(), m.m.end(), [](double value) { return std::isfinite(value); });
 }
 
+/// What of the places is not drawn: points and lines have no area, and there is nothing to see without positions.
+void note_skipped(GltfDocument& document, const std::vector<Place>& places) {
+  std::size_t points = 0;
+  std::size_t lines = 0;
+  std::size_t empty = 0;
+  std::size_t tinted_metals = 0;
+  for (const Place& place : places) {
+    for (const GltfPrimitive& primitive : document.meshes[document.nodes[place.node].mesh].primitives) {
+      const bool is_area = primitive.mode >= GltfMode::triangles;
+      points += primitive.mode == GltfMode::points ? 1U : 0U;
+      lines += !is_area && primitive.mode != GltfMode::points ? 1U : 0U;
+      empty += is_area && primitive.attributes.position == kGltfNone ? 1U : 0U;
+      tinted_metals += is_drawn(primitive) && primitive.attributes.color != kGltfNone && primitive.material != kGltfNone &&
+                               document.materials[primitive.material].metallic > 0
+                           ? 1U
+                           : 0U;
+    }
+  }
+  const auto note = [&](std::size_t count, const char* one, const char* many, const char* what) {
+    if (count > 0) {
+      document.notes.push_back({{}, fmt::format("{} {} {}", count, count == 1 ? one : many, what)});
+    }
+  };
+  note(points, "primitive of points is", "primitives of points are", "skipped: only triangles are drawn");
+  note(lines, "primitive of lines is", "primitives of lines are", "skipped: only triangles are drawn");
+  note(empty, "primitive", "primitives", "without POSITION skipped");
+  note(tinted_metals, "primitive", "primitives", "with vertex colours drawn as no metal: the colours tint ambient and diffuse light alone");
+}
+
 Result<std::vector<Place>> places_of(GltfModel& model) {
   std::vector<Place> places;
   std::size_t flat = 0;
@@ -107,6 +136,7 @@ Result<std::vector<Place>> places_of(GltfModel& model) {
     flat += static_cast<std::size_t>(places.end() - solid);
     places.erase(solid, places.end());
   }
+  note_skipped(model.file.document, places);
   if (flat > 0) {
     model.file.document.notes.push_back(
         {{}, fmt::format("{} {} flattened by {} scale: not drawn", flat, flat == 1 ? "node is" : "nodes are", flat == 1 ? "its" : "their")});

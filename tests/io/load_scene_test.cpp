@@ -92,8 +92,8 @@ TEST_F(LoadScene, ScenesAndMeshesAreToldApartByContent) {
   EXPECT_EQ(load_scene(mesh)->scene.objects[0].mesh->triangles.size(), 1U);
   EXPECT_EQ(error_of(write("empty.json", "")), "empty.json:1:1: broken JSON: unexpected end of input, expected a value");
   EXPECT_EQ(error_of(write("list.json", "[]")), "list.json: found an empty list, expected a table {\"objects\": [...]}");
-  EXPECT_EQ(load_scene(write("a.gltf", R"({"asset": {"version": "2.0"}})")).error().kind, ErrorKind::unsupported);
-  EXPECT_EQ(load_scene(write("b.json", R"({"asset": {"version": "2.0"}})")).error().kind, ErrorKind::unsupported);
+  EXPECT_TRUE(load_scene(write("a.gltf", R"({"asset": {"version": "2.0"}})"))->scene.objects.empty());
+  EXPECT_TRUE(load_scene(write("b.json", R"({"asset": {"version": "2.0"}})"))->scene.objects.empty());
 }
 
 TEST_F(LoadScene, AFileThatTwoObjectsNameIsLoadedOnce) {
