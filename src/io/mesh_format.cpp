@@ -118,9 +118,9 @@ MeshFormat mesh_format_of_name(const std::filesystem::path& file) {
 
 std::string readable_formats() {
 #ifdef LUSTRO_HAS_3MF
-  return "OBJ, PLY, STL, OFF or 3MF";
+  return "OBJ, PLY, STL, OFF, 3MF or glTF";
 #else
-  return "OBJ, PLY, STL or OFF";
+  return "OBJ, PLY, STL, OFF or glTF";
 #endif
 }
 
