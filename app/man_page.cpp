@@ -96,7 +96,8 @@ std::string man_page(const Manual& manual) {
   page += fmt::format(".SH NAME\nlustro \\- {}\n", "lights and shades triangle meshes on the CPU");
   page += ".SH SYNOPSIS\n.B lustro\n.I MESH\\fR|\\fISCENE\n.RI [ OPTIONS ]\n.br\n.B lustro\n.I SUBCOMMAND\n.RI [ OPTIONS ]\n.I ...\n";
   page +=
-      ".SH DESCRIPTION\nLustro draws triangle meshes (OBJ, PLY, STL, OFF, 3MF, glTF) with the classic lighting and shading models: Lambert, Phong and "
+      ".SH DESCRIPTION\nLustro draws triangle meshes (OBJ, PLY, STL, OFF, 3MF, glTF) with the classic lighting and shading models: Lambert, "
+      "Phong and "
       "Blinn\\-Phong "
       "lighting; flat, Gouraud and Phong interpolation. The same input gives the same picture, bit for bit, on every machine and with any "
       "number "

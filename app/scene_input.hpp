@@ -20,7 +20,8 @@ namespace lustro::app {
 [[nodiscard]] bool is_scene_file(const std::filesystem::path& file);
 
 /// What SCENE may be, for help.
-inline constexpr const char* kSceneHelp = "A scene file, a mesh (OBJ, PLY, STL, OFF, 3MF, glTF), or primitive:NAME (plane, cube, sphere, torus, teapot)";
+inline constexpr const char* kSceneHelp =
+    "A scene file, a mesh (OBJ, PLY, STL, OFF, 3MF, glTF), or primitive:NAME (plane, cube, sphere, torus, teapot)";
 
 /// What a command says about reading files.
 struct InputFlags {

@@ -24,7 +24,7 @@ struct ConvertFlags {
   std::optional<double> crease;
   bool recompute_normals = false;
   bool no_normals = false;
-  bool mtl_tr = false;
+  InputFlags reading;
 };
 
 Result<void> check_flags(const ConvertFlags& flags) {
@@ -65,7 +65,7 @@ void move(const ConvertFlags& flags, Mesh& mesh) {
 }
 
 Result<LoadedScene> load(const Session& session, const ConvertFlags& flags) {
-  LoadOptions options = load_options(session, flags.mtl_tr);
+  LoadOptions options = load_options(session, flags.reading);
   options.adjust = [&flags](Scene& scene) -> Result<void> {
     if (flags.crease) {
       scene.shading.crease = flags.crease;
@@ -149,7 +149,7 @@ Command make_convert(CommandLine& line, Session& session) {
   app->add_flag("--no-normals", flags->no_normals, "Leaves normals out, and joins the vertices that they had parted")
       ->disable_flag_override()
       ->group(geometry);
-  add_mtl_flag(*app, flags->mtl_tr);
+  add_input_flags(*app, flags->reading);
   return {app,
           {{"lustro convert part.stl part.ply --no-normals", "facets to a mesh whose triangles share vertices"},
            {"lustro convert part.stl part.obj --scale 0.001 --up z-to-y", "from a printer's millimetres to metres, with y up"},

@@ -16,7 +16,7 @@ enum class MeshFormat : std::uint8_t { unknown, obj, ply, stl, off, threemf, glt
 /// The format that the extension names, in any case.
 [[nodiscard]] MeshFormat mesh_format_of_name(const std::filesystem::path& file);
 
-/// The formats that are read, for messages: `OBJ, PLY, STL, OFF or glTF`.
+/// The formats that are read, for messages: `OBJ, PLY, STL, OFF, 3MF or glTF`.
 [[nodiscard]] std::string readable_formats();
 
 /// What an unknown file seems to be, for a message: `a PNG image`, or its first bytes.
