@@ -128,7 +128,7 @@ Command make_convert(CommandLine& line, Session& session) {
   CLI::App* app = add_subcommand(line, session, "convert", "Writes a mesh, or a scene's objects as one, in another format");
   auto flags = std::make_shared<ConvertFlags>();
   app->add_option("IN", flags->input, kSceneHelp)->type_name("FILE")->required();
-  app->add_option("OUT", flags->output, "The file to write, its format by its extension: .obj (with .mtl), .ply, .stl")
+  app->add_option("OUT", flags->output, "The file to write, its format by its extension: .obj (with .mtl), .ply, .stl, .glb")
       ->type_name("FILE")
       ->required();
   const std::string output = "Output";
@@ -153,6 +153,7 @@ Command make_convert(CommandLine& line, Session& session) {
   return {app,
           {{"lustro convert part.stl part.ply --no-normals", "facets to a mesh whose triangles share vertices"},
            {"lustro convert part.stl part.obj --scale 0.001 --up z-to-y", "from a printer's millimetres to metres, with y up"},
+           {"lustro convert model.obj model.glb", "one file with materials and their pictures"},
            {"lustro convert scene.json scene.obj", "all objects of a scene where they stand"}},
           [&session, flags] { return run_convert(session, *flags); }};
 }

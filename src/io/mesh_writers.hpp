@@ -22,6 +22,13 @@ struct MeshBytes {
 /// errors  limit for more than 2^32 - 1 triangles, which binary files cannot count
 [[nodiscard]] Result<MeshBytes> stl_bytes(const Mesh& mesh, bool ascii);
 
+/// The bytes of a picture file that a material names; empty where there are none.
+using ReadFile = std::function<std::string(const std::string& file)>;
+
+/// Binary glTF 2.0: see write_glb.cpp.
+/// errors  limit for more than 4 GiB, which the format cannot count
+[[nodiscard]] Result<MeshBytes> glb_bytes(const Mesh& mesh, const ReadFile& read_map);
+
 /// A file that another one is to name, from the name that it had: the result is what is written.
 using NameFile = std::function<std::string(const std::string& file)>;
 

@@ -12,6 +12,7 @@
 
 #include "io/mesh_format.hpp"
 #include "io/mesh_writers.hpp"
+#include "io/read_file.hpp"
 #include "lustro/image.hpp"
 #include "lustro/mesh_file.hpp"
 
@@ -65,6 +66,13 @@ std::string name_from(const fs::path& folder, const fs::path& texture_folder, co
   return relative.empty() ? name : relative.generic_string();
 }
 
+/// A picture's bytes; empty where it cannot be read.
+std::string read_map(const fs::path& texture_folder, std::string name) {
+  std::replace(name.begin(), name.end(), '\\', '/');
+  const Result<FileBytes> bytes = read_file(texture_folder / name);
+  return bytes ? std::string(bytes->view()) : std::string();
+}
+
 Result<Notes> write_obj(const fs::path& file, const Mesh& mesh, const MeshWriteOptions& options) {
   fs::path library = file;
   library.replace_extension(".mtl");
@@ -100,8 +108,10 @@ Result<Notes> write_by_extension(const fs::path& file, const Mesh& mesh, const M
       return write_bytes(file, ply_bytes(mesh, options.ascii));
     case MeshFormat::stl:
       return write_bytes(file, stl_bytes(mesh, options.ascii));
+    case MeshFormat::glb:
+      return write_bytes(file, glb_bytes(mesh, [&](const std::string& name) { return read_map(options.texture_folder, name); }));
     default:
-      return fail(ErrorKind::unsupported, file.string(), "meshes are written to .obj, .ply and .stl");
+      return fail(ErrorKind::unsupported, file.string(), "meshes are written to .obj, .ply, .stl and .glb");
   }
 }
 
