@@ -21,7 +21,7 @@ struct MeshWriteOptions {
 ///   .obj   positions, normals, uvs, colours, and a .mtl of the same name beside it: materials with the map statements they came with
 ///   .ply   positions, normals, uvs (s, t), colours and opacities in 8 bits; binary, little endian, or ascii
 ///   .stl   triangles; binary or ascii
-///   .glb   all attributes; materials as metal-rough ones that look alike
+///   .glb   all attributes; materials as metal-rough ones, the pictures of their diffuse maps inside
 ///
 /// Floats are written so that they are read back to the same bits (text: the shortest such number).
 /// returns  what the format cannot hold, each kind once

@@ -1,7 +1,7 @@
 // Binary glTF 2.0 (Khronos, section 4): one node, one primitive a material, floats as they are.
 //
 // glTF has no classic materials. The base colour is the diffuse one, nothing is metal, and the exponent n becomes a roughness:
-// is as wide: alpha^2 = 2 / (n + 2) for Blinn's, for Phong's with 4 n, whose highlight is as wide; roughness = sqrt(alpha) (Walter et al. 2007).
+// alpha^2 = 2 / (n + 2) for Blinn's, for Phong's with 4 n, whose highlight is as wide; roughness = sqrt(alpha) (Walter et al. 2007).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -244,12 +244,14 @@ Json GlbWriter::material_json(const Material& material) {
 }
 
 void GlbWriter::add_materials() {
+  Json materials = Json::array();  // beside json_, to which a material may add keys
   for (const Material& material : mesh_.materials) {
-    json_["materials"].push_back(material_json(material));
+    materials.push_back(material_json(material));
   }
   if (mesh_.materials.empty()) {  // glTF's own default is a metal that hides its backs
-    json_["materials"].push_back(material_json(Material{}));
+    materials.push_back(material_json(Material{}));
   }
+  json_["materials"] = std::move(materials);
 }
 
 Result<MeshBytes> GlbWriter::write() {

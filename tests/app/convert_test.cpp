@@ -80,6 +80,13 @@ TEST_F(ConvertCommand, WhatTheTargetCannotHoldIsAWarning) {
   EXPECT_EQ(lustro({"convert", "m.obj", "m.stl", "-q"}).err, "");
 }
 
+TEST_F(ConvertCommand, GlbIsBinaryGltf) {
+  write_text(work() / "m.obj", square_obj());
+  const Outcome outcome = lustro({"convert", "m.obj", "m.glb"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(file_text(work() / "m.glb"), ::testing::StartsWith("glTF"));
+}
+
 TEST_F(ConvertCommand, RefusesWhatMakesNoSense) {
   write_text(work() / "m.obj", square_obj());
   write_text(work() / "points.obj", "v 0 0 0\n");
