@@ -182,9 +182,9 @@ void for_every_sampler(const std::function<void(const Sampler&)>& check) {
 TEST(Sample, EqualsTheSpecificationForEveryWrapAndFilter) {
   std::mt19937 random(1);
   int compared = 0, passed_over = 0;
-  for (const auto& [width, height] : std::vector<std::array<int, 2>>{{8, 8}, {5, 3}, {1, 7}, {1, 1}}) {
+  for (const std::array<int, 2>& size : std::vector<std::array<int, 2>>{{8, 8}, {5, 3}, {1, 7}, {1, 1}}) {
     for (const bool is_hdr : {false, true}) {
-      const auto texture = made(noise(width, height, 4, static_cast<unsigned>(width), is_hdr ? -2 : 0, is_hdr ? 2 : 1));
+      const auto texture = made(noise(size[0], size[1], 4, static_cast<unsigned>(size[0]), is_hdr ? -2 : 0, is_hdr ? 2 : 1));
       for_every_sampler([&](const Sampler& sampler) {
         for (int i = 0; i < 25; ++i) {
           const Footprint<float> at = random_footprint(random, *texture);
@@ -198,7 +198,7 @@ TEST(Sample, EqualsTheSpecificationForEveryWrapAndFilter) {
           const Texel<float> value = sampled(*texture, sampler, at);
           for (std::size_t c = 0; c < 4; ++c) {
             ASSERT_NEAR(static_cast<double>(value[c]), expected[c], 5e-5)
-                << width << " x " << height << ", wrap " << static_cast<int>(sampler.wrap_u) << " " << static_cast<int>(sampler.wrap_v)
+                << size[0] << " x " << size[1] << ", wrap " << static_cast<int>(sampler.wrap_u) << " " << static_cast<int>(sampler.wrap_v)
                 << ", magnify " << static_cast<int>(sampler.magnify) << ", minify " << static_cast<int>(sampler.minify) << ", mip "
                 << static_cast<int>(sampler.mip) << ", anisotropy " << sampler.anisotropy << ", at " << at.u << " " << at.v << ", " << at.u_dx
                 << " " << at.v_dx << " " << at.u_dy << " " << at.v_dy;
