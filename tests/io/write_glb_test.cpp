@@ -6,6 +6,7 @@
 #include "io/mesh_writers.hpp"
 #include "io_testing.hpp"
 #include "lustro/mesh_file.hpp"
+#include "lustro/scene.hpp"
 #include "temporary_folder.hpp"
 
 namespace lustro {
@@ -176,6 +177,20 @@ TEST(WriteGlb, DiffuseMapsComeAlongInTheFile) {
   EXPECT_FALSE(glb.gltf["materials"][1]["pbrMetallicRoughness"].contains("baseColorTexture"));
   EXPECT_EQ(glb.gltf["samplers"][glb.gltf["textures"][1]["sampler"].get<std::size_t>()]["wrapS"], 33071);
   EXPECT_EQ(glb.gltf["extensionsUsed"], json({"KHR_texture_transform"}));
+}
+
+TEST(WriteGlb, OurReaderGetsTheSameBits) {
+  const TemporaryFolder folder;
+  const Mesh mesh = build_mesh(good(make_primitive("torus:12"))).value().mesh;
+  ASSERT_FALSE(mesh.uvs.empty());
+  EXPECT_THAT(good(write_mesh(folder.path / "m.glb", mesh)), IsEmpty());
+  const SourceMesh read = good(load_mesh_file(folder.path / "m.glb"));
+  expect_consistent(read);
+  EXPECT_EQ(read.positions, mesh.positions);  // but for the sign of 0, which the node's matrix loses
+  EXPECT_EQ(read.normals, mesh.normals);
+  EXPECT_EQ(read.uvs, mesh.uvs);
+  ASSERT_EQ(read.corner_position.size(), 3 * mesh.triangles.size());
+  EXPECT_EQ(raw(read.corner_position), raw(mesh.triangles));
 }
 
 TEST(WriteGlb, AMeshWithoutTrianglesIsAnEmptyScene) {
