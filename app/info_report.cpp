@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "report.hpp"
 #include "scene/text_values.hpp"
 #include "scene/words.hpp"
+#include "texture/slots.hpp"
+#include "texture/texture.hpp"
 
 namespace lustro::app {
 namespace {
@@ -106,6 +109,72 @@ std::string names_row(const char* what, const std::vector<std::string>& names) {
   return row(what, names.size() > kMost ? text + ", ..." : text);
 }
 
+/// A picture and what it is used for: `red: diffuse`.
+struct TextureRow {
+  std::string file;
+  const Texture* texture = nullptr;
+  std::vector<std::string> uses;
+};
+
+/// The textures of materials, each picture once, in the order of its first use.
+std::vector<TextureRow> texture_rows(const std::vector<Material>& materials) {
+  std::vector<TextureRow> rows;
+  for (const Material& material : materials) {
+    for (const TextureSlot& slot : kTextureSlots) {
+      const std::optional<TextureUse>& use = material.textures.*slot.use;
+      if (!use || !use->texture) {
+        continue;
+      }
+      auto found = std::ranges::find(rows, use->texture.get(), &TextureRow::texture);
+      if (found == rows.end()) {
+        rows.push_back({use->name, use->texture.get(), {}});
+        found = rows.end() - 1;
+      }
+      found->uses.push_back(fmt::format("{}: {}", material.name.empty() ? "(no name)" : material.name, slot.key));
+    }
+  }
+  return rows;
+}
+
+std::string texture_text(const std::vector<Material>& materials) {
+  const std::vector<TextureRow> rows = texture_rows(materials);
+  std::string text = rows.empty() ? "" : row("textures", grouped(rows.size()));
+  for (const TextureRow& texture : rows) {
+    text += fmt::format("    {}  {} x {}, {}\n", printable(texture.file), texture.texture->width(), texture.texture->height(),
+                        counted(static_cast<std::uint64_t>(texture.texture->channels()), "channel", "channels"));
+    for (const std::string& use : texture.uses) {
+      text += fmt::format("      {}\n", printable(use));
+    }
+  }
+  return text;
+}
+
+Json textures_json(const std::vector<Material>& materials) {
+  Json json = Json::array();
+  for (const TextureRow& texture : texture_rows(materials)) {
+    json.push_back({{"file", texture.file},
+                    {"width", texture.texture->width()},
+                    {"height", texture.texture->height()},
+                    {"channels", texture.texture->channels()},
+                    {"used_by", texture.uses}});
+  }
+  return json;
+}
+
+/// What the objects of a scene are made of.
+std::vector<Material> drawn_materials(const Scene& scene) {
+  std::vector<Material> materials;
+  std::set<const Mesh*> seen;
+  for (const Object& object : scene.objects) {
+    if (object.material) {
+      materials.push_back(*object.material);
+    } else if (object.mesh && seen.insert(object.mesh.get()).second) {
+      materials.insert(materials.end(), object.mesh->materials.begin(), object.mesh->materials.end());
+    }
+  }
+  return materials;
+}
+
 std::string note_rows(const char* name, const Notes& notes) {
   std::string text;
   for (const Note& note : notes) {
@@ -189,7 +258,7 @@ std::string mesh_text(const MeshReport& report) {
     }
     text += fmt::format("    {}\n", printable(source.objects[i].empty() ? "(no name)" : source.objects[i]));
   }
-  text += material_rows(source.materials);
+  text += material_rows(source.materials) + texture_text(source.materials);
   if (report.scene != nullptr) {
     text += names_row("cameras", report.scene->cameras) + names_row("animations", report.scene->animations);
     text +=
@@ -217,6 +286,7 @@ Json mesh_json(const MeshReport& report) {
             {"surface", stats_json(report.stats)},
             {"objects", source.objects},
             {"materials", materials_json(source.materials)},
+            {"textures", textures_json(source.materials)},
             {"notes", json_notes(all_notes(report))}};
   if (report.scene != nullptr) {
     json["cameras"] = report.scene->cameras;
@@ -251,7 +321,7 @@ std::string scene_info_text(const std::string& file, const LoadedScene& loaded) 
         counted(vertices, "vertex", "vertices"), counted(triangles, "triangle", "triangles"),
         object.material ? fmt::format(", material {}", printable(object.material->name.empty() ? "of its own" : object.material->name)) : "");
   }
-  return text + note_rows("noticed", loaded.notes);
+  return text + texture_text(drawn_materials(scene)) + note_rows("noticed", loaded.notes);
 }
 
 Json scene_info_json(const std::string& file, const LoadedScene& loaded) {
@@ -288,6 +358,7 @@ Json scene_info_json(const std::string& file, const LoadedScene& loaded) {
           {"bounds", json_bounds(scene_bounds(scene))},
           {"lights", lights},
           {"objects", objects},
+          {"textures", textures_json(drawn_materials(scene))},
           {"notes", json_notes(loaded.notes)}};
 }
 

@@ -43,6 +43,9 @@ void add_input_flags(CLI::App& app, InputFlags& flags) {
   app.add_flag("--mtl-tr", flags.mtl_tr, "A lone Tr in an MTL file is the opacity, as 3ds Max writes it, not 1 - opacity")
       ->disable_flag_override()
       ->group(group);
+  app.add_flag("--strict", flags.strict, "A texture that is missing or broken is an error; else it is left out with a warning")
+      ->disable_flag_override()
+      ->group(group);
   app.add_option("--gltf-camera", flags.gltf_camera, "Looks through a camera of a glTF file, by its number or name (default: frames everything)")
       ->type_name("CAMERA")
       ->group(group);
@@ -57,6 +60,7 @@ void add_input_flags(CLI::App& app, InputFlags& flags) {
 LoadOptions load_options(const Session& session, const InputFlags& flags) {
   LoadOptions options;
   options.transparency_is_tr = flags.mtl_tr;
+  options.strict = flags.strict;
   options.threads = session.threads;
   options.gltf_camera = flags.gltf_camera;
   options.time = flags.time;

@@ -26,12 +26,13 @@ inline constexpr const char* kSceneHelp =
 /// What a command says about reading files.
 struct InputFlags {
   bool mtl_tr = false;
+  bool strict = false;
   std::string gltf_camera;
   std::string animation;
   std::optional<double> time;
 };
 
-/// `--mtl-tr`, `--gltf-camera`, `--time`, `--animation`, of every command that loads.
+/// `--mtl-tr`, `--strict`, `--gltf-camera`, `--time`, `--animation`, of every command that loads.
 void add_input_flags(CLI::App& app, InputFlags& flags);
 
 /// How the command loads.

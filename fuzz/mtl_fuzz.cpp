@@ -1,17 +1,17 @@
-// MTL bytes.
+// MTL bytes, and what their map statements mean.
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
 #include "check_mesh.hpp"
+#include "io/map_texture.hpp"
 #include "io/mtl.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using lustro::require;
   lustro::MtlOptions options;
   options.transparency_is_tr = size % 2 == 1;
-  options.has_map = [](const std::string& name) { return name.size() % 2 == 0; };
   const lustro::Result<lustro::MtlFile> file = lustro::parse_mtl({reinterpret_cast<const char*>(data), size}, "fuzz.mtl", options);
   if (!file) {
     require(!file.error().where.empty() && !file.error().message.empty(), "an error says where and what");
@@ -25,6 +25,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(material.shininess >= 0 && material.shininess <= 10000, "shininess is in 0..10000");
     for (const lustro::TextureMap& map : material.maps) {
       require(!map.file.empty() && !map.statement.empty(), "a map names its file");
+      std::size_t notes = 0;
+      const auto use = lustro::use_of_map(map, options.transparency_is_tr, [&](const std::string& note) { notes += note.empty() ? 0 : 1; });
+      require(use || notes > 0, "a map is used, or a note says why not");
+      if (use) {
+        require(lustro::is_finite(use->use.gain) && lustro::is_finite(use->use.base), "a map's numbers are finite");
+        require(use->use.channel <= 4, "a map's channel is one");
+      }
     }
   }
   return 0;

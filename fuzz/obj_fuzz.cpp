@@ -16,7 +16,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     return std::string("newmtl red\nKd 1 0 0\nmap_Kd red.png\nnewmtl Material\nillum 1\nTr 0.5\n");
   };
-  options.has_map = [](const std::string&, const std::string&) { return false; };
   options.threads = 1;
   options.part_bytes = 48;
   const std::string_view bytes{reinterpret_cast<const char*>(data), size};

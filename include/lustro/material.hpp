@@ -23,6 +23,7 @@ struct Color {
 struct TextureMap {
   std::string statement{};  ///< as written: map_Kd, bump, refl, ...
   std::string file{};       ///< as written, relative to the MTL file
+  std::string library{};    ///< the MTL file that states it, as the mesh names that one
   bool blend_u = true, blend_v = true, color_correction = false, clamp = false;
   float boost = 0;
   float bump_multiplier = 1;

@@ -120,7 +120,10 @@ struct LoadOptions {
   /// Called by load_scene() with the scene as the file states it, before its meshes are loaded by it: the place for what overrides the file.
   std::function<Result<void>(Scene&)> adjust = {};
 
-  int threads = 0;  ///< for reading and building meshes; 0: one a core. The result is the same for any number
+  bool strict = false;                 ///< a texture that is missing or broken is an error, not a note
+  Transfer transfer = Transfer::srgb;  ///< how colour textures of 8 and 16 bits are decoded; load_scene() and load_meshes() take the scene's
+
+  int threads = 0;  ///< for reading and building meshes and textures; 0: one a core. The result is the same for any number
 
   // Of glTF files.
   std::string gltf_camera = {};     ///< the camera to look through, its index or name; empty: everything is framed
@@ -143,7 +146,7 @@ struct LoadOptions {
 [[nodiscard]] Result<LoadedScene> load_scene(const std::filesystem::path& file, const LoadOptions& options = {});
 
 /// A mesh file as it states itself (OBJ, PLY, STL, OFF, glTF): by content first, then by extension. The MTL files that an OBJ names are read from its
-/// folder. Of a glTF file: all that its scene draws, in one mesh in world space.
+/// folder, and the pictures that those name from theirs and the tree around it. Of a glTF file: all that its scene draws, in one mesh in world space.
 [[nodiscard]] Result<SourceMesh> load_mesh_file(const std::filesystem::path& file, const LoadOptions& options = {});
 
 /// The scene as JSON text that parse_scene() reads back to the same scene. Stated are the keys that differ from their defaults.

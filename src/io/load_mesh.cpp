@@ -12,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "io/find_file.hpp"
 #include "io/gltf_scene.hpp"
 #include "io/mesh_format.hpp"
 #include "io/obj.hpp"
@@ -30,33 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A path as an MTL or OBJ states it, with slashes of either kind.
-fs::path path_of(std::string name) {
-  std::replace(name.begin(), name.end(), '\\', '/');
-  return {name};
-}
-
-bool is_file(const fs::path& file) {
-  std::error_code ignored;
-  return fs::is_regular_file(file, ignored);
-}
-
-// The file that `name` means, seen from a folder: as written where it is relative, else (another machine's C:\models\a.mtl, or a folder that did
-// not come along) by its last part. What is not there comes back as written.
-fs::path find_beside(const fs::path& folder, const std::string& name) {
-  const fs::path written = path_of(name);
-  const bool is_absolute = written.is_absolute() || (name.size() > 1 && name[1] == ':');
-  if (!is_absolute && is_file(folder / written)) {
-    return folder / written;
-  }
-  if (!is_absolute && is_file(folder / name)) {  // a backslash is a letter of names here
-    return folder / name;
-  }
-  const fs::path last = folder / written.filename();
-  return is_absolute || is_file(last) ? last : folder / written;
-}
-
-Result<SourceMesh> load_obj(std::string_view bytes, const fs::path& file, const LoadOptions& options) {
+Result<SourceMesh> load_obj(std::string_view bytes, const fs::path& file, const LoadOptions& options, TextureCache& textures) {
   const fs::path folder = file.parent_path();
   ObjOptions obj;
   obj.transparency_is_tr = options.transparency_is_tr;
@@ -68,10 +43,16 @@ Result<SourceMesh> load_obj(std::string_view bytes, const fs::path& file, const 
     }
     return std::string(library->view());
   };
-  obj.has_map = [&](const std::string& library, const std::string& map) {
-    return is_file(find_beside(find_beside(folder, library).parent_path(), map));
-  };
-  return parse_obj(bytes, file.string(), obj);
+  Result<SourceMesh> mesh = parse_obj(bytes, file.string(), obj);
+  if (!mesh) {
+    return mesh;
+  }
+  const Result<Notes> notes = load_map_textures(mesh->materials, folder, options, textures);
+  if (!notes) {
+    return tl::unexpected(notes.error());
+  }
+  mesh->notes.insert(mesh->notes.end(), notes->begin(), notes->end());
+  return mesh;
 }
 
 /// By hand, because tl::expected's own conversion leaks: it makes a default value first and constructs over it.
@@ -83,7 +64,7 @@ Result<ReadMesh> as_read_mesh(Result<Read> mesh) {
   return *std::move(mesh);
 }
 
-Result<ReadMesh> load(const fs::path& file, const LoadOptions& options, bool for_drawing) {
+Result<ReadMesh> load(const fs::path& file, const LoadOptions& options, bool for_drawing, TextureCache& textures) {
   const Result<ByteSource> source = ByteSource::open(file);
   if (!source) {
     return tl::unexpected(source.error());
@@ -104,7 +85,7 @@ Result<ReadMesh> load(const fs::path& file, const LoadOptions& options, bool for
   format = format == MeshFormat::unknown ? mesh_format_of_name(file) : format;
   switch (format) {
     case MeshFormat::obj:
-      return as_read_mesh(load_obj(bytes, file, options));
+      return as_read_mesh(load_obj(bytes, file, options, textures));
     case MeshFormat::ply:
       return as_read_mesh(parse_any_ply(bytes, name));
     case MeshFormat::stl:
@@ -131,9 +112,9 @@ Result<ReadMesh> load(const fs::path& file, const LoadOptions& options, bool for
 
 }  // namespace
 
-Result<ReadMesh> read_mesh_file(const std::filesystem::path& file, const LoadOptions& options, bool for_drawing) {
+Result<ReadMesh> read_mesh_file(const std::filesystem::path& file, const LoadOptions& options, bool for_drawing, TextureCache& textures) {
   try {
-    return load(file, options, for_drawing);
+    return load(file, options, for_drawing, textures);
   } catch (const std::bad_alloc&) {
     return fail(ErrorKind::limit, file.string(), "needs more memory than there is");
   } catch (const std::exception& problem) {  // names that the system's paths cannot hold
@@ -142,7 +123,8 @@ Result<ReadMesh> read_mesh_file(const std::filesystem::path& file, const LoadOpt
 }
 
 Result<SourceMesh> load_mesh_file(const std::filesystem::path& file, const LoadOptions& options) {
-  Result<ReadMesh> read = read_mesh_file(file, options, false);
+  TextureCache textures;
+  Result<ReadMesh> read = read_mesh_file(file, options, false, textures);
   if (!read) {
     return tl::unexpected(std::move(read.error()));
   }

@@ -96,11 +96,12 @@ Result<std::shared_ptr<const Mesh>> build_read(ReadMesh read, const std::string&
 }
 
 /// The mesh that a `source` names.
-Result<ReadMesh> read_source(const std::string& source, const fs::path& file, const Shading& shading, const LoadOptions& options) {
+Result<ReadMesh> read_source(const std::string& source, const fs::path& file, const Shading& shading, const LoadOptions& options,
+                             TextureCache& textures) {
   if (is_primitive(source)) {
     return make_primitive(std::string_view(source).substr(kPrimitive.size())).map([](SourceMesh&& made) { return ReadMesh(std::move(made)); });
   }
-  return read_mesh_file(file, options, shading.crease.value_or(kSmooth) == kSmooth);
+  return read_mesh_file(file, options, shading.crease.value_or(kSmooth) == kSmooth, textures);
 }
 
 /// A source that names a node of a glTF file: `duck.glb#nodes[2]`.
@@ -125,10 +126,11 @@ std::optional<NodeSource> node_source(const std::string& source, const fs::path&
   return found;
 }
 
-/// Meshes and glTF files by the identity of their file, each read once.
+/// Meshes, glTF files and pictures by the identity of their file, each read once.
 struct Loaded {
   std::map<std::string, std::shared_ptr<const Mesh>> meshes;
   std::map<std::string, GltfModel> models;
+  TextureCache textures;
 };
 
 /// The mesh of a node, with those of the file's other nodes that have the same.
@@ -169,7 +171,7 @@ Result<std::shared_ptr<const Mesh>> load_source(const std::string& source, const
   std::shared_ptr<const Mesh>& mesh = loaded.meshes[identity_of(source, file)];
   if (mesh == nullptr) {
     const std::string name = is_primitive(source) ? source : file.string();
-    Result<ReadMesh> read = read_source(source, file, shading, options);
+    Result<ReadMesh> read = read_source(source, file, shading, options, loaded.textures);
     if (!read) {
       const Error& error = read.error();
       return fail(error.kind, error.where.empty() ? name : error.where, error.message);
@@ -184,7 +186,9 @@ Result<std::shared_ptr<const Mesh>> load_source(const std::string& source, const
 }
 
 /// load_meshes(); `with_path` puts the object's JSON path in front of an error.
-Result<void> load_all(Scene& scene, const fs::path& folder, const LoadOptions& options, Loaded& loaded, NoteList& notes, bool with_path) {
+Result<void> load_all(Scene& scene, const fs::path& folder, const LoadOptions& stated_options, Loaded& loaded, NoteList& notes, bool with_path) {
+  LoadOptions options = stated_options;
+  options.transfer = scene.image.transfer;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     Object& object = scene.objects[i];
     if (object.mesh != nullptr) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -25,6 +26,7 @@ struct OpenMaterial {
   std::optional<float> dissolve;      // d
   std::optional<float> transparency;  // Tr
   std::size_t transparency_line = 0;
+  bool states_ambient = false, states_diffuse = false, states_specular = false, states_emission = false;
 };
 
 class MtlReader {
@@ -43,6 +45,7 @@ class MtlReader {
   bool read_clamped(std::string_view word, float low, float high, float& value);
   bool read_dissolve(OpenMaterial& open);
   bool read_illumination(Material& material);
+  static void settle_map_colors(OpenMaterial& open);
   Material settle(OpenMaterial& open);
 
   bool error(ErrorKind kind, std::string message) {
@@ -62,7 +65,6 @@ class MtlReader {
   std::vector<OpenMaterial> materials_;
   std::map<std::string, std::size_t, std::less<>> index_;  // name to material
   std::optional<std::size_t> current_;
-  std::map<std::string, bool, std::less<>> looked_for_;  // map files
   std::optional<Error> error_;
 };
 
@@ -109,10 +111,10 @@ bool MtlReader::read_statement(std::string_view word) {
 bool MtlReader::read_surface(std::string_view word, OpenMaterial& open) {
   Material& material = open.material;
   // clang-format off
-  if (word == "Ka") { return read_color(word, material.ambient); }
-  if (word == "Kd") { return read_color(word, material.diffuse); }
-  if (word == "Ks") { return read_color(word, material.specular); }
-  if (word == "Ke") { return read_color(word, material.emission); }
+  if (word == "Ka") { open.states_ambient = true; return read_color(word, material.ambient); }
+  if (word == "Kd") { open.states_diffuse = true; return read_color(word, material.diffuse); }
+  if (word == "Ks") { open.states_specular = true; return read_color(word, material.specular); }
+  if (word == "Ke") { open.states_emission = true; return read_color(word, material.emission); }
   if (word == "Tf") { return read_color(word, material.transmission); }
   if (word == "Ns") { return read_clamped(word, 0, 10000, material.shininess); }
   if (word == "Ni") { return read_clamped(word, 0.001F, 10, material.refraction); }
@@ -154,13 +156,7 @@ void MtlReader::read_map(std::string_view word, Material& material) {
   if (!map) {
     return;
   }
-  notes_.add(line, "texture maps are kept, but not drawn yet");
-  if (options_.has_map) {
-    const auto [known, is_new] = looked_for_.emplace(map->file, true);
-    if (is_new && !options_.has_map(map->file)) {
-      notes_.add(line, fmt::format("the file {} of {} is missing", shown(map->file), word));
-    }
-  }
+  map->library = file_;
   material.maps.push_back(std::move(*map));
 }
 
@@ -227,6 +223,24 @@ bool MtlReader::read_illumination(Material& material) {
   return true;
 }
 
+// A map multiplies its colour. Where the file does not state one, OpenGL's default would only dim the map, or hide it.
+void MtlReader::settle_map_colors(OpenMaterial& open) {
+  Material& material = open.material;
+  const auto settle_one = [&](bool is_stated, Color& color, std::string_view statement) {
+    const auto is_its_map = [&](const TextureMap& map) {
+      return std::equal(map.statement.begin(), map.statement.end(), statement.begin(), statement.end(),
+                        [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+    };
+    if (!is_stated && std::any_of(material.maps.begin(), material.maps.end(), is_its_map)) {
+      color = {{1, 1, 1}, ColorSpace::encoded};
+    }
+  };
+  settle_one(open.states_ambient, material.ambient, "map_ka");
+  settle_one(open.states_diffuse, material.diffuse, "map_kd");
+  settle_one(open.states_specular, material.specular, "map_ks");
+  settle_one(open.states_emission, material.emission, "map_ke");
+}
+
 // Tr is not in the specification. Most writers mean 1 - d by it, some (3ds Max) d itself: the caller says which. A d beside it is clear and
 // wins.
 Material MtlReader::settle(OpenMaterial& open) {
@@ -239,6 +253,7 @@ Material MtlReader::settle(OpenMaterial& open) {
   } else if (open.transparency) {
     material.opacity = options_.transparency_is_tr ? *open.transparency : 1 - *open.transparency;
   }
+  settle_map_colors(open);
   return std::move(material);
 }
 

@@ -1,7 +1,6 @@
 // Wavefront MTL material libraries.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,8 +12,6 @@ namespace lustro {
 
 struct MtlOptions {
   bool transparency_is_tr = false;  ///< a lone `Tr` is the opacity, not 1 - opacity
-  /// Says whether a map's file is there, by its name as written; not set: no map is looked for.
-  std::function<bool(const std::string& name)> has_map;
 };
 
 /// What an MTL file holds.
@@ -23,7 +20,8 @@ struct MtlFile {
   Notes notes;
 };
 
-/// The materials of an MTL text. Colours are `encoded`; what a material does not state keeps OpenGL's defaults. illum 0 and 1 set the material's
+/// The materials of an MTL text. Colours are `encoded`; what a material does not state keeps OpenGL's defaults,
+/// but a colour beside its map, which is 1 then. illum 0 and 1 set the material's
 /// own lighting, the others leave it to the scene. Map statements are kept in Material::maps.
 /// errors  malformed where a statement's numbers are missing or none, with the line; unsupported for `spectral` and `xyz` colours
 /// source  Ramey, Rose, Tyerman, MTL material format (Wavefront, 1995); `Ke`, `Tr`, `norm` and the PBR statements are common extensions

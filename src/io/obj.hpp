@@ -15,8 +15,6 @@ namespace lustro {
 struct ObjOptions {
   /// The text of an MTL file by its name as written; an error of kind `io` where there is none. Not set: every library is missing.
   std::function<Result<std::string>(const std::string& name)> read_library;
-  /// Says whether a map file that a library names is there, both names as written. Not set: no map is looked for.
-  std::function<bool(const std::string& library, const std::string& map)> has_map;
   bool transparency_is_tr = false;  ///< as in LoadOptions
   int threads = 0;                  ///< as in LoadOptions
 

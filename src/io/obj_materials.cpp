@@ -65,11 +65,7 @@ ObjMaterials::Outcome ObjMaterials::read_library(const std::string& name) {
     return Outcome::missing;
   }
   read_.insert(name);
-  MtlOptions mtl_options{.transparency_is_tr = options_.transparency_is_tr, .has_map = nullptr};
-  if (options_.has_map) {
-    mtl_options.has_map = [&](const std::string& map) { return options_.has_map(name, map); };
-  }
-  Result<MtlFile> library = parse_mtl(*text, name, mtl_options);
+  Result<MtlFile> library = parse_mtl(*text, name, {.transparency_is_tr = options_.transparency_is_tr});
   if (!library) {
     error_ = std::move(library.error());
     return Outcome::failed;

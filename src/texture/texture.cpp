@@ -75,6 +75,7 @@ class TextureMaker {
   TextureMaker(const Image& pixels, int threads) : pixels_(pixels), threads_(threads), texture_(new Texture) {}
 
   std::shared_ptr<const Texture> make() {
+    texture_->channels_ = pixels_.channels;
     lay_out();
     const bool is_unorm = std::all_of(pixels_.pixels.begin(), pixels_.pixels.end(), [](float x) { return x >= 0 && x <= 1; });
     const auto& last = texture_->levels_.back();

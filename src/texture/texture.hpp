@@ -43,6 +43,7 @@ class Texture {
   [[nodiscard]] const std::vector<TextureLevel>& levels() const { return levels_; }
   [[nodiscard]] int width() const { return levels_[0].width; }
   [[nodiscard]] int height() const { return levels_[0].height; }
+  [[nodiscard]] int channels() const { return channels_; }  ///< of the picture that it was made of
   [[nodiscard]] TextureLayout layout() const {
     const bool is_unorm = format() == Format::unorm16;
     return {levels_.data(), is_unorm ? unorms_.data() : nullptr, is_unorm ? nullptr : floats_.data(), static_cast<std::int32_t>(levels_.size()),
@@ -55,6 +56,7 @@ class Texture {
   friend class TextureMaker;
   Texture() = default;
 
+  int channels_ = 4;
   std::vector<TextureLevel> levels_;   // the picture itself first, 1 x 1 last
   std::vector<std::uint16_t> unorms_;  // one of the two is empty
   std::vector<float> floats_;

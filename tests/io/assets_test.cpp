@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "io/io_testing.hpp"
 #include "lustro/scene.hpp"
 #include "shared_dir.hpp"
 
@@ -161,10 +162,31 @@ TEST(Assets, NoMeshOfTheFeaturesWarnsWithoutAReason) {
         "ply/lucy/lucy_100k.ply", "ply/stanford_bunny/bun_zipper.ply", "stl/features/unit_cube.STL", "stl/features/multibody.stl",
         "stl/stanford_bunny/bunny.stl", "malformed/empty.obj", "malformed/empty.ply", "malformed/empty.stl"}) {
     const SourceMesh mesh = load_mesh_file(shared_dir() / "assets" / name).value();
-    for (const Note& note : mesh.notes) {
-      // the cube's one texture is really not drawn
-      EXPECT_NE(note.message.find("texture maps are kept, but not drawn yet"), std::string::npos) << name << " " << note.text();
+    EXPECT_THAT(texts(mesh.notes), testing::IsEmpty()) << name;
+  }
+}
+
+TEST(Assets, TexturesOfTheModelsAreFoundAndRead) {
+  LUSTRO_REQUIRE_SHARED();
+  struct Expected {
+    const char* name;
+    std::size_t textures;
+    std::vector<std::string> notes;
+  };
+  const std::vector<Expected> models{{"obj/armchair/armchair.obj", 2, {}},
+                                     {"obj/pizza/pizza.obj", 1, {}},
+                                     {"obj/spider/spider.obj", 5, {}},
+                                     {"obj/online3dviewer/texture_parameters.obj", 4, {}},
+                                     {"obj/online3dviewer/two_materials_same_texture.obj", 2, {}},
+                                     {"obj/obj2gltf/box-textured/box-textured.obj", 1, {}}};
+  for (const Expected& expected : models) {
+    const SourceMesh mesh = load_mesh_file(shared_dir() / "assets" / expected.name).value();
+    std::size_t count = 0;
+    for (const Material& material : mesh.materials) {
+      count += material.textures.diffuse && material.textures.diffuse->texture != nullptr ? 1U : 0U;
     }
+    EXPECT_EQ(count, expected.textures) << expected.name;
+    EXPECT_THAT(texts(mesh.notes), testing::ElementsAreArray(expected.notes)) << expected.name;
   }
 }
 

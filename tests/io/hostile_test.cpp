@@ -102,7 +102,6 @@ bool parse_obj_with_library(const std::string& bytes) {
   options.read_library = [](const std::string& name) -> Result<std::string> {
     return name == "c.mtl" ? Result<std::string>(kMtl) : Result<std::string>(fail(ErrorKind::io, name, "missing"));
   };
-  options.has_map = [](const std::string&, const std::string&) { return false; };
   return check(parse_obj(bytes, "m.obj", options));
 }
 bool parse_ply_file(const std::string& bytes) {

@@ -3,8 +3,10 @@
 
 #include "io/mesh_format.hpp"
 #include "io_testing.hpp"
+#include "lustro/image.hpp"
 #include "lustro/scene.hpp"
 #include "temporary_folder.hpp"
+#include "texture/texture.hpp"
 
 namespace lustro {
 namespace {
@@ -99,12 +101,27 @@ TEST(LoadMesh, AMissingLibraryIsANoteWithTheReason) {
 
 TEST(LoadMesh, MapsAreLookedForBesideTheirLibrary) {
   const TemporaryFolder folder;
-  folder.write("lib/a.mtl", "newmtl red\nmap_Kd wood.png\nmap_Ks tex\\wood.png\nmap_Ka D:\\x\\wood.png\nmap_Ns gone.png\nbump -bm 2 gone.png\n");
-  folder.write("lib/wood.png", "");
-  folder.write("lib/tex/wood.png", "");
+  folder.write("lib/a.mtl", "newmtl red\nmap_Kd wood.png\nmap_Ks tex\\wood.png\nmap_Ka D:\\x\\wood.png\nmap_Ns gone.png\n");
+  std::filesystem::create_directories(folder.path / "lib/tex");
+  ASSERT_TRUE(write_image(folder.path / "lib/wood.png", Image(3, 2, 3)));
+  ASSERT_TRUE(write_image(folder.path / "lib/tex/wood.png", Image(5, 4, 3)));
   folder.write("a.obj", std::string("mtllib lib/a.mtl\n") + kObj);
-  EXPECT_THAT(texts(load(folder, "a.obj").notes), ElementsAre("lib/a.mtl:2: texture maps are kept, but not drawn yet (5 times)",
-                                                              "lib/a.mtl:5: the file \"gone.png\" of map_Ns is missing"));
+  const SourceMesh mesh = load(folder, "a.obj");
+  EXPECT_THAT(
+      texts(mesh.notes),
+      ElementsAre("lib/a.mtl: map_Ka: the texture \"D:\\x\\wood.png\" is an absolute path, which is not followed: the file of that name "
+                  "beside the MTL file is used",
+                  "lib/a.mtl: map_Ns: the texture \"gone.png\" is missing; drawn without it"));
+  const MaterialTextures& textures = mesh.materials.at(0).textures;
+  ASSERT_TRUE(textures.diffuse && textures.specular && textures.ambient);
+  EXPECT_EQ(textures.diffuse->texture->width(), 3);
+  EXPECT_EQ(textures.specular->texture->width(), 5);
+  EXPECT_EQ(textures.ambient->texture, textures.diffuse->texture);  // one file, read once
+  EXPECT_FALSE(textures.shininess);
+  const auto strict = load_mesh_file(folder.path / "a.obj", {.strict = true});
+  ASSERT_FALSE(strict);
+  EXPECT_EQ(strict.error().text(), "lib/a.mtl: map_Ns: the texture \"gone.png\" is missing");
+  EXPECT_EQ(strict.error().kind, ErrorKind::io);
 }
 
 TEST(LoadMesh, TheMeaningOfTrIsTheCallers) {

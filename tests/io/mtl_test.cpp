@@ -100,14 +100,14 @@ TEST(Mtl, NumbersOutsideTheirRangeAreClampedWithANote) {
 
 TEST(Mtl, ALoneTrIsTheTransparencyUnlessTheCallerSaysOtherwise) {
   EXPECT_EQ(one("Tr 0.25\n").material.opacity, 0.75F);
-  EXPECT_EQ(one("Tr 0.25\n", {.transparency_is_tr = true, .has_map = nullptr}).material.opacity, 0.25F);
+  EXPECT_EQ(one("Tr 0.25\n", {.transparency_is_tr = true}).material.opacity, 0.25F);
   EXPECT_EQ(one("Tr 0\n").material.opacity, 1);
-  EXPECT_EQ(one("Tr 0\n", {.transparency_is_tr = true, .has_map = nullptr}).material.opacity, 0);
+  EXPECT_EQ(one("Tr 0\n", {.transparency_is_tr = true}).material.opacity, 0);
 }
 
 TEST(Mtl, DWinsOverTrInEitherOrderWithOneNote) {
   for (const bool is_tr : {false, true}) {
-    const MtlFile file = mtl("newmtl a\nd 0.75\nTr 0.5\nnewmtl b\nTr 0.5\nd 1\n", {.transparency_is_tr = is_tr, .has_map = nullptr});
+    const MtlFile file = mtl("newmtl a\nd 0.75\nTr 0.5\nnewmtl b\nTr 0.5\nd 1\n", {.transparency_is_tr = is_tr});
     EXPECT_EQ(file.materials[0].opacity, 0.75F);
     EXPECT_EQ(file.materials[1].opacity, 1);
     EXPECT_THAT(texts(file.notes), ElementsAre("m.mtl:3: Tr beside d is ignored: d states the opacity (2 times)"));
@@ -175,14 +175,20 @@ TEST(Mtl, LinesMayBeIndentedJoinedAndEndInAnyWay) {
   }
 }
 
-TEST(Mtl, MapsThatAreMissingAreANoteEachOnce) {
-  MtlOptions options;
-  options.has_map = [](const std::string& name) { return name == "there.png"; };
-  const One found = one("map_Kd there.png\nmap_Ks gone.png\nmap_Ka gone.png\nmap_Ns lost file.png\n", options);
-  EXPECT_EQ(found.material.maps.size(), 4U);
-  EXPECT_THAT(found.notes,
-              ElementsAre("m.mtl:2: texture maps are kept, but not drawn yet (4 times)", "m.mtl:3: the file \"gone.png\" of map_Ks is missing",
-                          "m.mtl:5: the file \"lost file.png\" of map_Ns is missing"));
+TEST(Mtl, MapsRememberTheLibraryThatStatesThem) {
+  const One found = one("map_Kd a.png\nbump b.png\n");
+  ASSERT_EQ(found.material.maps.size(), 2U);
+  EXPECT_EQ(found.material.maps[1].library, "m.mtl");
+  EXPECT_THAT(found.notes, IsEmpty());
+}
+
+TEST(Mtl, AColourThatIsNotStatedBesideItsMapCountsAsOne) {
+  const One found = one("map_Kd a.png\nmap_ks b.png\nKa 0.5\nmap_Ka c.png\n");
+  EXPECT_EQ(found.material.diffuse, encoded(1, 1, 1));
+  EXPECT_EQ(found.material.specular, encoded(1, 1, 1));
+  EXPECT_EQ(found.material.ambient, encoded(0.5F, 0.5F, 0.5F));
+  EXPECT_EQ(found.material.emission, Material().emission);
+  EXPECT_EQ(one("Kd 0\nmap_Kd a.png\n").material.diffuse, encoded(0, 0, 0));
 }
 
 TEST(Mtl, NamesThatAreNotUtf8AreReadAsLatin1) {

@@ -1,0 +1,238 @@
+// Requests first, in the order of the materials; then the files, in parallel; then what each request makes of its file, in order again.
+#include "io/load_textures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+#include <system_error>
+#include <utility>
+
+#include "image/decode_texture.hpp"
+#include "io/find_file.hpp"
+#include "io/map_texture.hpp"
+#include "io/note_book.hpp"
+#include "io/read_file.hpp"
+#include "io/text.hpp"
+#include "parallel/parallel_for.hpp"
+#include "texture/slots.hpp"
+
+namespace lustro {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Notes by the file that they are about, in the order of those files.
+class BookShelf {
+ public:
+  void add(const std::string& where, const std::string& message) {
+    auto book = std::ranges::find(books_, where, &std::pair<std::string, NoteBook>::first);
+    if (book == books_.end()) {
+      books_.emplace_back(where, NoteBook(where));
+      book = books_.end() - 1;
+    }
+    book->second.add(0, message);
+  }
+  [[nodiscard]] Notes notes() const {
+    Notes all;
+    for (const auto& [where, book] : books_) {
+      const Notes notes = book.notes();
+      all.insert(all.end(), notes.begin(), notes.end());
+    }
+    return all;
+  }
+
+ private:
+  std::vector<std::pair<std::string, NoteBook>> books_;
+};
+
+struct Request {
+  Material* material = nullptr;
+  MapUse map;
+  std::string where;      // the MTL file, or the material of a scene
+  std::string statement;  // map_Kd; diffuse
+  TextureCache::Key key{};
+};
+
+/// An alpha of the channel r, g, b or l (luminance).
+Image with_alpha_of(const Image& image, char channel) {
+  Image out(image.width, image.height, 4);
+  const auto step = static_cast<std::size_t>(image.channels);
+  for (std::size_t from = 0, to = 0; from < image.pixels.size(); from += step, to += 4) {
+    const auto value = [&](std::size_t c) { return image.pixels[from + (step < 3 ? 0 : c)]; };
+    for (std::size_t c = 0; c < 3; ++c) {
+      out.pixels[to + c] = value(c);
+    }
+    const float luminance = step < 3 ? value(0) : 0.2126F * value(0) + 0.7152F * value(1) + 0.0722F * value(2);
+    out.pixels[to + 3] = channel == 'r' ? value(0) : channel == 'g' ? value(1) : channel == 'b' ? value(2) : luminance;
+  }
+  return out;
+}
+
+Result<TextureFile> read_texture(const TextureCache::Key& key, int threads) {
+  const auto& [name, content, transfer, alpha] = key;
+  const Result<FileBytes> bytes = read_file(name);
+  if (!bytes) {
+    return tl::unexpected(bytes.error());
+  }
+  auto image = decode_texture_image(std::as_bytes(std::span(bytes->view())), name, content, transfer);
+  if (!image) {
+    return tl::unexpected(std::move(image).error());
+  }
+  TextureFile file;
+  file.channels = image->channels;
+  file.holds_normals = content == TextureContent::data && holds_normals(*image);
+  auto texture = make_texture(alpha != 0 ? with_alpha_of(*image, alpha) : *image, threads);
+  if (!texture) {
+    return fail(texture.error().kind, name, texture.error().message);
+  }
+  file.texture = *std::move(texture);
+  return file;
+}
+
+/// Reads what the cache does not have, several files at the same time.
+void read_files(const std::vector<Request>& requests, int threads, TextureCache& cache) {
+  std::vector<std::pair<const TextureCache::Key*, TextureFile*>> jobs;
+  for (const Request& request : requests) {
+    const auto [entry, is_new] = cache.files.try_emplace(request.key);
+    if (is_new) {
+      jobs.emplace_back(&entry->first, &entry->second);
+    }
+  }
+  const bool is_one = jobs.size() == 1;
+  parallel_for(jobs.size(), is_one ? 1 : threads, [&](std::size_t i) {
+    const auto& [key, file] = jobs[i];
+    try {
+      auto read = read_texture(*key, is_one ? threads : 1);
+      if (read) {
+        *file = *std::move(read);
+      } else {
+        file->error = std::move(read).error();
+      }
+    } catch (const std::bad_alloc&) {
+      file->error = Error{ErrorKind::limit, std::get<0>(*key), "needs more memory than there is"};
+    }
+  });
+}
+
+/// What only the picture decides: which channel is meant, and whether a bump map holds heights.
+void settle(Request& request, const TextureFile& file, BookShelf& books) {
+  TextureUse& use = request.map.use;
+  use.texture = file.texture;
+  const std::string shown_name = shown(use.name);
+  if (request.map.may_be_normals && file.holds_normals) {
+    if (request.material->textures.normal) {
+      books.add(request.where,
+                fmt::format("{}: {} holds normals, and the material has a normal map: it is left out", request.statement, shown_name));
+      return;
+    }
+    books.add(request.where, fmt::format("{}: {} holds normals and no heights: it is used as a normal map", request.statement, shown_name));
+    use.gain = {request.map.gain, request.map.gain, request.map.gain};
+    use.base = {request.map.base, request.map.base, request.map.base};
+    tilt_normals(use, request.map.bump_multiplier);
+    use.channel = 0;
+    request.material->textures.normal = std::move(use);
+    return;
+  }
+  if (request.map.slot->is_scalar && !request.map.states_channel) {
+    const bool is_opacity = request.map.slot->key == "opacity";
+    use.channel = file.channels == 1 ? std::uint8_t{0} : is_opacity && file.channels == 4 ? std::uint8_t{3} : std::uint8_t{4};
+    if (use.channel == 3) {
+      books.add(request.where, fmt::format("{}: {} has an alpha, which is used, and not its colours", request.statement, shown_name));
+    }
+  }
+  std::optional<TextureUse>& slot = request.material->textures.*request.map.slot->use;
+  if (slot) {
+    books.add(request.where,
+              fmt::format("{}: a material that states two maps for its {} has the last one", request.statement, request.map.slot->key));
+  }
+  slot = std::move(use);
+}
+
+Error with_context(const Request& request, const Error& error) {
+  return {error.kind, error.where.empty() ? request.where : error.where,
+          fmt::format("{} ({} of {})", error.message, request.statement, request.where)};
+}
+
+Result<Notes> finish(std::vector<Request>& requests, const LoadOptions& options, TextureCache& cache, BookShelf& books) {
+  read_files(requests, options.threads, cache);
+  for (Request& request : requests) {
+    const TextureFile& file = cache.files.at(request.key);
+    if (!file.error) {
+      settle(request, file, books);
+      continue;
+    }
+    if (options.strict) {
+      return tl::unexpected(with_context(request, *file.error));
+    }
+    books.add(request.where, fmt::format("{}: the texture {}; drawn without it", request.statement, file.error->text()));
+  }
+  return books.notes();
+}
+
+/// One name for one file.
+std::string identity_of(const fs::path& file) {
+  std::error_code error;
+  const fs::path canonical = fs::weakly_canonical(file, error);
+  return error ? file.string() : canonical.string();
+}
+
+}  // namespace
+
+bool holds_normals(const Image& data) {
+  if (data.channels < 3) {
+    return false;
+  }
+  constexpr int kLooks = 64;
+  const int columns = std::min(data.width, kLooks);
+  const int rows = std::min(data.height, kLooks);
+  double red = 0, green = 0, blue = 0;
+  int normals = 0;
+  for (int j = 0; j < rows; ++j) {
+    for (int i = 0; i < columns; ++i) {
+      const auto texel = data.at(i * data.width / columns, j * data.height / rows);
+      red += static_cast<double>(texel[0]);
+      green += static_cast<double>(texel[1]);
+      blue += static_cast<double>(texel[2]);
+      const Vec3f n{texel[0] * 2 - 1, texel[1] * 2 - 1, texel[2] * 2 - 1};
+      const float squared = n.x * n.x + n.y * n.y + n.z * n.z;
+      normals += n.z > 0 && squared >= 0.64F && squared <= 1.44F ? 1 : 0;
+    }
+  }
+  const double looks = static_cast<double>(columns) * rows;
+  return blue >= red + 0.1 * looks && blue >= green + 0.1 * looks && normals >= 0.9 * looks;
+}
+
+Result<Notes> load_map_textures(std::span<Material> materials, const fs::path& folder, const LoadOptions& options, TextureCache& cache) {
+  BookShelf books;
+  std::vector<Request> requests;
+  for (Material& material : materials) {
+    for (const TextureMap& map : material.maps) {
+      const auto note = [&](const std::string& message) { books.add(map.library, message); };
+      auto use = use_of_map(map, options.transparency_is_tr, note);
+      if (!use) {
+        continue;
+      }
+      const fs::path library_folder = map.library.empty() ? folder : find_beside(folder, map.library).parent_path();
+      auto found = find_texture(library_folder, map.file);
+      if (!found) {
+        if (options.strict) {
+          return fail(found.error().kind, map.library, fmt::format("{}: the texture {}", map.statement, found.error().message));
+        }
+        books.add(map.library, fmt::format("{}: the texture {}; drawn without it", map.statement, found.error().message));
+        continue;
+      }
+      if (!found->note.empty()) {
+        books.add(map.library, fmt::format("{}: the texture {}", map.statement, found->note));
+      }
+      Request request{&material, *std::move(use), map.library, map.statement};
+      request.key = {identity_of(found->path), request.map.slot->content, options.transfer, request.map.alpha_of_decal};
+      requests.push_back(std::move(request));
+    }
+  }
+  // a bump map that turns out to hold normals gives way to a stated normal map, wherever that stands
+  std::ranges::stable_partition(requests, [](const Request& request) { return !request.map.may_be_normals; });
+  return finish(requests, options, cache, books);
+}
+
+}  // namespace lustro

@@ -1,0 +1,168 @@
+// MTL's map statements and options, one by one.
+#include "io/map_texture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+
+namespace lustro {
+namespace {
+
+struct Statement {
+  std::string_view name;  // lower case
+  std::string_view slot;
+};
+
+constexpr std::array<Statement, 15> kStatements{{
+    {"map_ka", "ambient"},
+    {"map_kd", "diffuse"},
+    {"map_ks", "specular"},
+    {"map_ke", "emission"},
+    {"map_ns", "shininess"},
+    {"map_d", "opacity"},
+    {"map_opacity", "opacity"},
+    {"map_tr", "opacity"},
+    {"decal", "decal"},
+    {"map_decal", "decal"},
+    {"bump", "bump"},
+    {"map_bump", "bump"},
+    {"norm", "normal"},
+    {"map_norm", "normal"},
+    {"map_kn", "normal"},
+}};
+
+std::string lower(std::string text) {
+  std::ranges::transform(text, text.begin(), [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+  return text;
+}
+
+const TextureSlot* slot_of(std::string_view statement) {
+  for (const Statement& known : kStatements) {
+    if (known.name == statement) {
+      return std::ranges::find(kTextureSlots, known.slot, &TextureSlot::key);
+    }
+  }
+  return nullptr;
+}
+
+/// What has no part in the picture yet.
+std::string_view reason_not_drawn(std::string_view statement) {
+  if (statement == "disp" || statement == "map_disp") {
+    return "surfaces are not displaced";
+  }
+  if (statement == "refl" || statement == "map_refl") {
+    return "reflection maps are not drawn";
+  }
+  return "the classic model has no place for it";
+}
+
+void note_ignored_options(const TextureMap& map, const std::function<void(std::string)>& note) {
+  const auto ignored = [&](std::string_view option, std::string_view why) {
+    note(fmt::format("{}: {} is ignored: {}", map.statement, option, why));
+  };
+  if (map.turbulence.x != 0 || map.turbulence.y != 0 || map.turbulence.z != 0) {
+    ignored("-t", "textures are not made turbulent");
+  }
+  if (map.color_correction) {
+    ignored("-cc", "colours are decoded by the scene's transfer alone");
+  }
+  if (map.boost != 0) {
+    ignored("-boost", "mip levels are as sharp as the picture allows");
+  }
+  if (map.texture_resolution != 0) {
+    ignored("-texres", "pictures are used at their own size");
+  }
+  if (map.blend_u != map.blend_v) {
+    ignored(map.blend_u ? "-blendv off" : "-blendu off", "texels are blended in both directions or in none");
+  }
+}
+
+std::uint8_t channel_of(char letter) {
+  switch (letter) {
+    case 'r':
+      return 0;
+    case 'g':
+      return 1;
+    case 'b':
+      return 2;
+    case 'm':
+      return 3;
+    default:
+      return 4;  // l
+  }
+}
+
+/// Numbers whose products are still finite as floats.
+float bounded(float value) {
+  return std::clamp(value, -1e9F, 1e9F);
+}
+
+}  // namespace
+
+void tilt_normals(TextureUse& use, float factor) {
+  // (t gain + base) 2 - 1 becomes factor times as much in x and y
+  const float shift = (1 - factor) * 0.5F;
+  use.gain = {use.gain.x * factor, use.gain.y * factor, use.gain.z};
+  use.base = {use.base.x * factor + shift, use.base.y * factor + shift, use.base.z};
+}
+
+std::optional<MapUse> use_of_map(const TextureMap& map, bool transparency_is_tr, const std::function<void(std::string)>& note) {
+  const std::string statement = lower(map.statement);
+  MapUse result;
+  result.slot = slot_of(statement);
+  if (result.slot == nullptr) {
+    note(fmt::format("{} is kept, but not drawn: {}", map.statement, reason_not_drawn(statement)));
+    return std::nullopt;
+  }
+  note_ignored_options(map, note);
+  TextureUse& use = result.use;
+  use.name = map.file;
+  use.uv_matrix = {bounded(map.scale.x), 0, bounded(map.offset.x), 0, -bounded(map.scale.y), 1 - bounded(map.offset.y)};
+  const float gain = bounded(map.gain);
+  const float base = bounded(map.base);
+  const float bump_multiplier = bounded(map.bump_multiplier);
+  use.gain = {gain, gain, gain};
+  use.base = {base, base, base};
+  if (map.clamp) {
+    use.leaves_outside = true;
+    use.sampler.wrap_u = use.sampler.wrap_v = Wrap::clamp_to_edge;
+  }
+  if (!map.blend_u && !map.blend_v) {
+    use.sampler.magnify = use.sampler.minify = TextureFilter::nearest;
+    use.sampler.mip = MipFilter::none;
+  }
+
+  char channel = map.channel;
+  if (channel == 'z') {
+    note(fmt::format("{}: -imfchan z is ignored: pictures have no depth, the luminance is used", map.statement));
+    channel = 'l';
+  }
+  if (result.slot->is_scalar) {
+    result.states_channel = channel != 0;
+    use.channel = channel_of(channel);
+  } else if (result.slot->key == "decal") {
+    result.alpha_of_decal = channel == 'm' ? '\0' : channel;
+  } else if (channel != 0) {
+    note(fmt::format("{}: -imfchan is ignored: it belongs to maps of one value", map.statement));
+  }
+  if (statement == "map_tr" && !transparency_is_tr) {
+    use.gain = {-gain, -gain, -gain};
+    use.base = {1 - base, 1 - base, 1 - base};
+  }
+  if (result.slot->key == "bump") {
+    use.gain = use.gain * bump_multiplier;
+    use.base = use.base * bump_multiplier;
+    result.may_be_normals = channel == 0;
+    result.bump_multiplier = bump_multiplier;
+    result.gain = gain;
+    result.base = base;
+  } else if (result.slot->key == "normal") {
+    tilt_normals(use, bump_multiplier);
+  }
+  return result;
+}
+
+}  // namespace lustro

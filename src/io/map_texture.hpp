@@ -1,0 +1,42 @@
+// What an MTL map statement means for drawing.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "lustro/material.hpp"
+#include "texture/slots.hpp"
+
+namespace lustro {
+
+/// A map statement as the use of a texture that is yet to be read.
+struct MapUse {
+  const TextureSlot* slot = nullptr;
+  TextureUse use{};                               ///< all but its texture
+  bool states_channel = false;                    ///< -imfchan; else the picture decides
+  bool may_be_normals = false;                    ///< `bump`: the picture may turn out to be a normal map
+  float bump_multiplier = 1, gain = 1, base = 0;  ///< of such a picture, as stated
+  char alpha_of_decal = 0;                        ///< of `decal`: the channel that becomes the texture's alpha; 0 is its own alpha
+};
+
+/// Coordinates: uv' = uv s + o, as three.js and Blender read -s and -o; then v is turned to go down. A map without clamping repeats.
+///
+///   map_Ka Kd Ks Ke    colours that multiply their coefficient
+///   map_Ns, map_d      one value, of the channel that -imfchan states, by default the luminance; of map_d the picture's alpha where it has one
+///   map_Tr             1 - map_d (with `transparency_is_tr`: map_d)
+///   decal              colour and, as its alpha, the matte or the channel that -imfchan states
+///   bump, map_bump     height: (value gain + base) bm
+///   norm, map_norm, map_Kn   normals of the tangent frame; -bm multiplies their tilt
+///   -clamp on          nothing outside of 0..1
+///   -blendu off -blendv off  texels are not blended, if both are off
+///   -mm, -bm, -o, -s   as above; the third number of -o and -s belongs to solid textures
+///
+/// Not done, and said by `note`: -t, -cc, -boost, -texres, -imfchan z; disp, refl and all other statements (nothing is returned for these).
+/// source  Ramey, Rose, Tyerman, MTL material format, options for texture map statements
+[[nodiscard]] std::optional<MapUse> use_of_map(const TextureMap& map, bool transparency_is_tr, const std::function<void(std::string)>& note);
+
+/// -bm for normals: their tilt, x and y, is multiplied.
+void tilt_normals(TextureUse& use, float factor);
+
+}  // namespace lustro

@@ -1,0 +1,127 @@
+#include "io/map_texture.hpp"
+
+#include "io/io_testing.hpp"
+#include "io/mtl.hpp"
+
+namespace lustro {
+namespace {
+
+using testing::ElementsAre;
+using testing::FloatEq;
+using testing::IsEmpty;
+
+struct Read {
+  std::optional<MapUse> map;
+  std::vector<std::string> notes;
+  [[nodiscard]] const TextureUse& use() const { return map->use; }
+};
+
+/// One map statement as an MTL file has it.
+Read read(const std::string& line, bool transparency_is_tr = false) {
+  Read read;
+  const MtlFile file = good(parse_mtl("newmtl a\n" + line + "\n", "m.mtl"));
+  read.map = use_of_map(file.materials.at(0).maps.at(0), transparency_is_tr, [&](const std::string& note) { read.notes.push_back(note); });
+  return read;
+}
+
+/// uv' of a surface's (u, v).
+std::array<float, 2> placed(const TextureUse& use, float u, float v) {
+  const auto& m = use.uv_matrix;
+  return {m[0] * u + m[1] * v + m[2], m[3] * u + m[4] * v + m[5]};
+}
+
+TEST(MapTexture, StatementsHaveTheirPlacesInAnySpelling) {
+  const std::vector<std::pair<const char*, const char*>> expected{
+      {"map_Ka", "ambient"},   {"map_Kd", "diffuse"}, {"MAP_KD", "diffuse"}, {"map_Ks", "specular"},     {"map_Ke", "emission"},
+      {"map_Ns", "shininess"}, {"map_d", "opacity"},  {"map_Tr", "opacity"}, {"map_opacity", "opacity"}, {"decal", "decal"},
+      {"bump", "bump"},        {"map_bump", "bump"},  {"map_Bump", "bump"},  {"norm", "normal"},         {"map_Kn", "normal"}};
+  for (const auto& [statement, slot] : expected) {
+    const Read found = read(std::string(statement) + " a.png");
+    ASSERT_TRUE(found.map) << statement;
+    EXPECT_EQ(found.map->slot->key, slot) << statement;
+    EXPECT_EQ(found.use().name, "a.png");
+    EXPECT_THAT(found.notes, IsEmpty());
+  }
+}
+
+TEST(MapTexture, WhatHasNoPlaceIsNoted) {
+  EXPECT_FALSE(read("disp a.png").map);
+  EXPECT_THAT(read("disp a.png").notes, ElementsAre("disp is kept, but not drawn: surfaces are not displaced"));
+  EXPECT_THAT(read("refl -type sphere a.png").notes, ElementsAre("refl is kept, but not drawn: reflection maps are not drawn"));
+  EXPECT_THAT(read("map_Pr a.png").notes, ElementsAre("map_Pr is kept, but not drawn: the classic model has no place for it"));
+}
+
+TEST(MapTexture, VIsTurnedToGoDownAfterScaleAndOffset) {
+  EXPECT_THAT(placed(read("map_Kd a.png").use(), 0.25F, 0), ElementsAre(0.25F, 1));  // OBJ's lower left is the picture's last row
+  EXPECT_THAT(placed(read("map_Kd a.png").use(), 0.25F, 1), ElementsAre(0.25F, 0));
+  const TextureUse use = read("map_Kd -s 2 4 -o 0.5 0.25 a.png").use();  // (0.125, 0.125): (0.25 + 0.5, 0.5 + 0.25), and 0.75 from below
+  EXPECT_THAT(placed(use, 0.125F, 0.125F), ElementsAre(FloatEq(0.75F), FloatEq(0.25F)));
+}
+
+TEST(MapTexture, ValuesAreScaledAndRaisedAndBumpsMultiplied) {
+  EXPECT_EQ(read("map_Kd -mm 0.5 2 a.png").use().gain, (Vec3f{2, 2, 2}));
+  EXPECT_EQ(read("map_Kd -mm 0.5 2 a.png").use().base, (Vec3f{0.5F, 0.5F, 0.5F}));
+  EXPECT_EQ(read("bump -bm 3 -mm 0.5 2 a.png").use().gain.x, 6);
+  EXPECT_EQ(read("bump -bm 3 -mm 0.5 2 a.png").use().base.x, 1.5F);
+}
+
+TEST(MapTexture, TheMultiplierTiltsNormals) {
+  const TextureUse use = read("norm -bm 0.5 a.png").use();
+  const auto decoded = [&](float texel, float Vec3f::*axis) { return (texel * use.gain.*axis + use.base.*axis) * 2 - 1; };
+  EXPECT_EQ(decoded(1, &Vec3f::x), 0.5F);  // 1 before
+  EXPECT_EQ(decoded(0.25F, &Vec3f::y), -0.25F);
+  EXPECT_EQ(decoded(0.5F, &Vec3f::x), 0);
+  EXPECT_EQ(decoded(1, &Vec3f::z), 1);
+}
+
+TEST(MapTexture, ClampingLeavesTheMaterialOutside) {
+  const TextureUse use = read("map_Kd -clamp on a.png").use();
+  EXPECT_TRUE(use.leaves_outside);
+  EXPECT_EQ(use.sampler.wrap_u, Wrap::clamp_to_edge);
+  EXPECT_EQ(use.sampler.wrap_v, Wrap::clamp_to_edge);
+  EXPECT_FALSE(read("map_Kd a.png").use().leaves_outside);
+  EXPECT_EQ(read("map_Kd a.png").use().sampler, Sampler());
+}
+
+TEST(MapTexture, BlendingIsBothWaysOrNone) {
+  const Read none = read("map_Kd -blendu off -blendv off a.png");
+  EXPECT_EQ(none.use().sampler.magnify, TextureFilter::nearest);
+  EXPECT_EQ(none.use().sampler.minify, TextureFilter::nearest);
+  EXPECT_EQ(none.use().sampler.mip, MipFilter::none);
+  EXPECT_THAT(none.notes, IsEmpty());
+  const Read half = read("map_Kd -blendv off a.png");
+  EXPECT_EQ(half.use().sampler, Sampler());
+  EXPECT_THAT(half.notes, ElementsAre("map_Kd: -blendv off is ignored: texels are blended in both directions or in none"));
+}
+
+TEST(MapTexture, ChannelsBelongToMapsOfOneValue) {
+  EXPECT_EQ(read("map_d -imfchan g a.png").use().channel, 1);
+  EXPECT_TRUE(read("map_d -imfchan g a.png").map->states_channel);
+  EXPECT_FALSE(read("map_d a.png").map->states_channel);
+  EXPECT_EQ(read("bump -imfchan m a.png").use().channel, 3);
+  EXPECT_FALSE(read("bump -imfchan m a.png").map->may_be_normals);
+  EXPECT_TRUE(read("bump a.png").map->may_be_normals);
+  EXPECT_EQ(read("decal -imfchan r a.png").map->alpha_of_decal, 'r');
+  EXPECT_EQ(read("decal a.png").map->alpha_of_decal, 0);
+  EXPECT_THAT(read("map_Ns -imfchan z a.png").notes,
+              ElementsAre("map_Ns: -imfchan z is ignored: pictures have no depth, the luminance is used"));
+  EXPECT_THAT(read("map_Kd -imfchan r a.png").notes, ElementsAre("map_Kd: -imfchan is ignored: it belongs to maps of one value"));
+}
+
+TEST(MapTexture, TrIsTheOppositeOfOpacityUnlessTheCallerSaysOtherwise) {
+  const auto value = [](const TextureUse& use, float texel) { return texel * use.gain.x + use.base.x; };
+  EXPECT_EQ(value(read("map_Tr a.png").use(), 0.25F), 0.75F);
+  EXPECT_EQ(value(read("map_Tr -mm 0.5 0.5 a.png").use(), 0.5F), 0.25F);  // 1 - (0.5 + 0.25)
+  EXPECT_EQ(value(read("map_Tr a.png", true).use(), 0.25F), 0.25F);
+}
+
+TEST(MapTexture, OptionsWithoutEffectAreNoted) {
+  EXPECT_THAT(read("map_Kd -t 1 -cc on -boost 2 -texres 64 a.png").notes,
+              ElementsAre("map_Kd: -t is ignored: textures are not made turbulent",
+                          "map_Kd: -cc is ignored: colours are decoded by the scene's transfer alone",
+                          "map_Kd: -boost is ignored: mip levels are as sharp as the picture allows",
+                          "map_Kd: -texres is ignored: pictures are used at their own size"));
+}
+
+}  // namespace
+}  // namespace lustro
