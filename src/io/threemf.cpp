@@ -85,7 +85,7 @@ Result<std::string> Package::read_part(std::string_view name) {
 }
 
 Result<std::string> Package::find_model() {
-  if (archive_.parts.count(kRelationships) != 0) {
+  if (archive_.parts.contains(kRelationships)) {
     const Result<std::string> xml = read_part(kRelationships);
     if (!xml) {
       return tl::unexpected(xml.error());
@@ -95,7 +95,7 @@ Result<std::string> Package::find_model() {
       return target;
     }
   }
-  if (archive_.parts.count(kUsualModel) != 0) {
+  if (archive_.parts.contains(kUsualModel)) {
     return std::string(kUsualModel);
   }
   return fail(ErrorKind::unsupported, archive_.file, "is a ZIP archive without a 3MF model");

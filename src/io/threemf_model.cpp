@@ -105,7 +105,7 @@ class ModelReader {
   std::optional<Error> read_item(const XmlElement& element);
   std::optional<Error> read_group(const XmlElement& element, ThreeMfGroup::Kind kind);
   std::optional<Error> read_property(const XmlElement& element, const char* attribute, ThreeMfGroup::Kind kind);
-  std::optional<Error> read_use(const XmlElement& element, ThreeMfUse& use);
+  static std::optional<Error> read_use(const XmlElement& element, ThreeMfUse& use);
 
   static std::optional<Error> read_id(const XmlElement& element, std::string_view name, std::uint32_t& id);
   static std::optional<Error> read_optional_id(const XmlElement& element, std::string_view name, std::uint32_t& id);
