@@ -41,12 +41,12 @@ class GltfMeshBuilder {
   using Shared = std::map<std::vector<std::uint32_t>, Placed>;
   [[nodiscard]] Result<void> add_primitive(std::uint32_t node, const GltfPrimitive& primitive, const std::string& path,
                                            const std::optional<Mat4>& placement, std::uint32_t object, Shared& shared);
-  [[nodiscard]] Result<Placed> place(std::uint32_t node, const GltfPrimitive& primitive, const std::string& path,
+  [[nodiscard]] Result<Placed> place(std::uint32_t node_index, const GltfPrimitive& primitive, const std::string& path,
                                      const std::optional<Mat4>& placement);
   [[nodiscard]] Result<void> read_vertices(const GltfPrimitive& primitive, const std::string& path, Vertices& vertices);
   [[nodiscard]] Result<void> unpack(const GltfPrimitive& primitive, const std::string& path, Vertices& vertices);
   [[nodiscard]] Result<void> morph(const GltfPrimitive& primitive, const std::vector<double>& weights, Vertices& vertices);
-  [[nodiscard]] Result<void> skin(const GltfPrimitive& primitive, std::uint32_t skin, Vertices& vertices);
+  [[nodiscard]] Result<void> skin(const GltfPrimitive& primitive, std::uint32_t index, Vertices& vertices);
   void append(const Vertices& vertices);
   [[nodiscard]] Result<void> add_faces(const GltfPrimitive& primitive, const std::string& path, const Placed& vertices, std::uint32_t object);
   std::uint32_t material_of(std::uint32_t material, bool is_colored);

@@ -75,10 +75,10 @@ class MeshReader {
       }
     }
     const Json& weights = reader_.list(json, "weights");
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-      mesh.weights.push_back(weights[i].is_number() ? weights[i].get<double>() : 0);
-      if (!weights[i].is_number()) {
-        reader_.fail(weights[i], "is no number");
+    for (const Json& weight : weights) {
+      mesh.weights.push_back(weight.is_number() ? weight.get<double>() : 0);
+      if (!weight.is_number()) {
+        reader_.fail(weight, "is no number");
       }
     }
     if (!reader_.failed() && !weights.empty() && weights.size() != mesh.primitives.front().targets.size()) {

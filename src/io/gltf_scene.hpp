@@ -37,6 +37,6 @@ struct GltfModel {
 [[nodiscard]] Result<SourceMesh> gltf_whole_mesh(GltfModel& model);
 
 /// Equal for nodes whose meshes are the same: the same mesh, neither skinned nor differently morphed.
-[[nodiscard]] std::string gltf_mesh_key(const GltfModel& model, std::size_t node);
+[[nodiscard]] std::string gltf_mesh_key(const GltfModel& model, std::size_t index);
 
 }  // namespace lustro
