@@ -20,19 +20,27 @@ struct Faces {
   const Instance& instance;
   const ShadingMaterial& material;
   std::array<Int, 3> vertices;
-  const Record* only;  // where all lanes show one triangle
-  Float side;          // -1 where the back is seen and lit with its normals turned round
+  const Record* only;                  // where all lanes show one triangle
+  Float side;                          // -1 where the back is seen and lit with its normals turned round
+  std::array<Vec3<Float>, 3> normals;  // of the vertices, as the mesh states them; not for flat interpolation
 
   [[nodiscard]] HWY_INLINE Vec3<Float> at_vertex(const std::vector<Vec3f>& list, std::size_t i) const {
     return only != nullptr ? vec_cast<Float>(list[only->vertex[i]]) : gather(list, vertices[i]);
   }
   [[nodiscard]] Vec3<Float> stated_position(std::size_t i) const { return at_vertex(instance.mesh->positions, i); }
-  [[nodiscard]] std::array<Float, 4> stated_tangent(std::size_t i) const { return gather(instance.mesh->tangents, vertices[i]); }
+  [[nodiscard]] std::array<Float, 4> stated_tangent(std::size_t i) const {
+    if (only != nullptr) {
+      const std::array<float, 4>& t = instance.mesh->tangents[only->vertex[i]];
+      return {Float(t[0]), Float(t[1]), Float(t[2]), Float(t[3])};
+    }
+    return gather(instance.mesh->tangents, vertices[i]);
+  }
   [[nodiscard]] Vec2<Float> stated_uv(std::size_t set, std::size_t i) const {
-    return gather(set == 0 ? instance.mesh->uvs : instance.mesh->uvs1, vertices[i]);
+    const std::vector<Vec2f>& uvs = set == 0 ? instance.mesh->uvs : instance.mesh->uvs1;
+    return only != nullptr ? Vec2<Float>{Float(uvs[only->vertex[i]].x), Float(uvs[only->vertex[i]].y)} : gather(uvs, vertices[i]);
   }
   [[nodiscard]] Vec3<Float> position(std::size_t i) const { return instance.relative_from_object(stated_position(i)); }
-  [[nodiscard]] Vec3<Float> stated_normal(std::size_t i) const { return at_vertex(instance.mesh->normals, i); }
+  [[nodiscard]] const Vec3<Float>& stated_normal(std::size_t i) const { return normals[i]; }
   [[nodiscard]] Vec3<Float> normal(std::size_t i) const {
     const Vec3<Float> n = instance.normal_from_object(stated_normal(i));
     return (instance.is_similarity ? n : normalize(n)) * side;
@@ -225,9 +233,15 @@ HWY_INLINE Batch make_batch(const Frame& frame, const TileScratch& s, const Tile
   }
   const FragmentPlaces at = locate(frame, words, px, py);
   const Mask is_back = (words[word_flags] & Int(Record::kBack)) > Int(0);
-  const Faces faces{scene,    instance,
-                    material, {words[word_vertex], words[word_vertex + 1], words[word_vertex + 2]},
-                    only,     scene.shading.two_sided ? select(is_back, Float(-1), Float(1)) : Float(1)};
+  Faces faces{scene,    instance,
+              material, {words[word_vertex], words[word_vertex + 1], words[word_vertex + 2]},
+              only,     scene.shading.two_sided ? select(is_back, Float(-1), Float(1)) : Float(1),
+              {}};
+  if (scene.shading.interpolation != Interpolation::flat) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      faces.normals[i] = faces.at_vertex(instance.mesh->normals, i);
+    }
+  }
   Vec3<Float> normal{};
   if (scene.shading.interpolation == Interpolation::phong || frame.wants_all) {
     normal = scene.shading.interpolation == Interpolation::flat ? faces.face_normal() : faces.normal_at(scene.shading.normals, at.weights);
