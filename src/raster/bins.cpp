@@ -69,22 +69,22 @@ bool looks_away(const PreparedScene& scene, const Instance& instance, const Clus
     return cosine > kCosine;
   };
   const auto rest = [](double v) { return std::sqrt(std::max(0.0, 1 - v * v)); };
-  const double cone_cosine = cone.cosine;
+  const auto cone_cosine = static_cast<double>(cone.cosine);
   if (!(cosine > kCosine) || !widen(cone_cosine, rest(cone_cosine)) || !widen(rest(radius / distance), radius / distance)) {
     return false;
   }
-  const float* row = instance.image_from_object.m.data();
-  const double pixels = std::sqrt(double{row[0]} * double{row[0]} + double{row[1]} * double{row[1]} + double{row[2]} * double{row[2]});
-  double altitude = pixels * double{cone.thinnest} * kCosine;
+  const std::array<float, 12>& m = instance.image_from_object.m;
+  const double pixels = length(vec_cast<double>(Vec3f{m[0], m[1], m[2]}));
+  double altitude = pixels * static_cast<double>(cone.thinnest) * kCosine;
   if (is_perspective) {
-    const double near = depth.low;
-    const double far = depth.high;
-    const double x = double{widest_x} / view.pixels_per_unit;
-    const double y = double{widest_y} / view.pixels_per_unit;
+    const auto near = static_cast<double>(depth.low);
+    const auto far = static_cast<double>(depth.high);
+    const double x = static_cast<double>(widest_x) / view.pixels_per_unit;
+    const double y = static_cast<double>(widest_y) / view.pixels_per_unit;
     altitude *= near * near / (far * far * far * std::sqrt(1 + x * x + y * y));
   }
   constexpr double kSnapping = 0.003;  // half a step of the grid in x and in y: 2^0.5 / 512
-  return altitude > 2 * (kSnapping + double{blur}) * 1.01;
+  return altitude > 2 * (kSnapping + static_cast<double>(blur)) * 1.01;
 }
 
 Sight look_at(const Frame& frame, const Instance& instance, const Cluster& cluster, const NormalCone* cone) {
