@@ -107,11 +107,10 @@ TEST(LoadMesh, MapsAreLookedForBesideTheirLibrary) {
   ASSERT_TRUE(write_image(folder.path / "lib/tex/wood.png", Image(5, 4, 3)));
   folder.write("a.obj", std::string("mtllib lib/a.mtl\n") + kObj);
   const SourceMesh mesh = load(folder, "a.obj");
-  EXPECT_THAT(
-      texts(mesh.notes),
-      ElementsAre("lib/a.mtl: map_Ka: the texture \"D:\\x\\wood.png\" is an absolute path, which is not followed: the file of that name "
-                  "beside the MTL file is used",
-                  "lib/a.mtl: map_Ns: the texture \"gone.png\" is missing; drawn without it"));
+  EXPECT_THAT(texts(mesh.notes),
+              ElementsAre("lib/a.mtl: map_Ka: the texture \"D:\\x\\wood.png\" is an absolute path, which is not followed: the file of that name "
+                          "beside the MTL file is used",
+                          "lib/a.mtl: map_Ns: the texture \"gone.png\" is missing; drawn without it"));
   const MaterialTextures& textures = mesh.materials.at(0).textures;
   ASSERT_TRUE(textures.diffuse && textures.specular && textures.ambient);
   EXPECT_EQ(textures.diffuse->texture->width(), 3);
