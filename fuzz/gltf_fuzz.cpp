@@ -1,4 +1,5 @@
-// glTF bytes, as JSON or as GLB, with a small file beside them that every external URI names: as one mesh, as a scene, at a moment of an animation.
+// glTF bytes, as JSON or as GLB, with a small file beside them that every external URI names: as one mesh, as a scene, at a moment of an
+// animation.
 #include <cstddef>
 #include <cstdint>
 #include <cstring>

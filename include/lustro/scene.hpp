@@ -145,8 +145,9 @@ struct LoadOptions {
 /// highlights.
 [[nodiscard]] Result<LoadedScene> load_scene(const std::filesystem::path& file, const LoadOptions& options = {});
 
-/// A mesh file as it states itself (OBJ, PLY, STL, OFF, glTF): by content first, then by extension. The MTL files that an OBJ names are read from its
-/// folder, and the pictures that those name from theirs and the tree around it. Of a glTF file: all that its scene draws, in one mesh in world space.
+/// A mesh file as it states itself (OBJ, PLY, STL, OFF, glTF): by content first, then by extension. The MTL files that an OBJ names are read
+/// from its folder, and the pictures that those name from theirs and the tree around it. Of a glTF file: all that its scene draws, in one mesh
+/// in world space.
 [[nodiscard]] Result<SourceMesh> load_mesh_file(const std::filesystem::path& file, const LoadOptions& options = {});
 
 /// The scene as JSON text that parse_scene() reads back to the same scene. Stated are the keys that differ from their defaults.

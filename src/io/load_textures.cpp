@@ -231,7 +231,7 @@ Result<Notes> load_map_textures(std::span<Material> materials, const fs::path& f
     }
   }
   // a bump map that turns out to hold normals gives way to a stated normal map, wherever that stands
-  std::ranges::stable_partition(requests, [](const Request& request) { return !request.map.may_be_normals; });
+  std::stable_partition(requests.begin(), requests.end(), [](const Request& request) { return !request.map.may_be_normals; });
   return finish(requests, options, cache, books);
 }
 

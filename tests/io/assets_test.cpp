@@ -22,9 +22,9 @@ struct Row {
   std::size_t vertices = 0;
 };
 
-// The first two rows state what a reader counts that does not know comments among the data, and the README calls both files `not standard`: 0 / 1 for the
-// PLY (it stops at the comment behind the first vertex), 5 / 15 for the STL (355 bytes of text, taken as binary: (355 - 84) / 50 facets).
-// Both texts hold one triangle, and that is what we read. Of the glTF file we keep the vertices that are drawn.
+// The first two rows state what a reader counts that does not know comments among the data, and the README calls both files `not standard`: 0 /
+// 1 for the PLY (it stops at the comment behind the first vertex), 5 / 15 for the STL (355 bytes of text, taken as binary: (355 - 84) / 50
+// facets). Both texts hold one triangle, and that is what we read. Of the glTF file we keep the vertices that are drawn.
 const std::map<std::string, Row> kReadOtherwise{
     {"ply/online3dviewer/single_triangle_with_comments.ply", {"", 1, 3}},
     {"stl/online3dviewer/single_triangle_with_comments.stl", {"", 1, 3}},

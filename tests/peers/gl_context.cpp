@@ -37,7 +37,8 @@ void GlContext::begin(const Scene& scene) {
   OSMesaPixelStore(OSMESA_Y_UP, 0);
   glViewport(0, 0, width_, height_);
   glDisable(GL_DITHER);
-  glDisable(GL_CULL_FACE);
+  (scene.shading.cull == Culling::none ? glDisable : glEnable)(GL_CULL_FACE);
+  glCullFace(scene.shading.cull == Culling::front ? GL_FRONT : GL_BACK);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   const Vec3d background = truth::light_of(scene.image.background, scene.image.transfer);
