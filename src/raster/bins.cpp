@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kStretch = 512;  // clusters that one job looks at
 
 struct Interval {
-  float low, high;
+  float low = 0, high = 0;
   float slack = 0;  // of it what rounding may add
 
   [[nodiscard]] float largest() const { return std::max(std::abs(low), std::abs(high)); }

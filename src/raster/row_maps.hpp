@@ -66,12 +66,22 @@ HWY_INLINE bool goes_by_maps(const ShadingMaps& maps) {
   return !maps.has(MapKind::bump);
 }
 
+template <std::size_t kSize>
+HWY_INLINE bool are_equal(const std::array<float, kSize>& a, const std::array<float, kSize>& b) {
+  for (std::size_t i = 0; i < kSize; ++i) {
+    if (!(a[i] == b[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// Whether two maps find their texels at the same places.
 HWY_INLINE bool are_alike(const ShadingMap& a, const ShadingMap& b) {
   const Sampler& s = a.sampler;
   const Sampler& t = b.sampler;
   return a.width == b.width && a.height == b.height && a.uv_set == b.uv_set && s.wrap_u == t.wrap_u && s.wrap_v == t.wrap_v &&
-         s.magnify == t.magnify && s.minify == t.minify && s.mip == t.mip && std::memcmp(&a.uv_matrix, &b.uv_matrix, sizeof a.uv_matrix) == 0;
+         s.magnify == t.magnify && s.minify == t.minify && s.mip == t.mip && are_equal(a.uv_matrix, b.uv_matrix);
 }
 
 inline HWY_NOINLINE void find_places(const ShadingMap& map, std::size_t count, MapStrip& s) {
@@ -123,7 +133,7 @@ inline void each_map(const ShadingMaps& maps, std::size_t count, MapStrip& s, Ta
     }
     const bool is_read = is_placed && read != nullptr && !has_alpha && read->texels.unorms == map.texels.unorms &&
                          read->texels.floats == map.texels.floats && read->gain == map.gain && read->base == map.base &&
-                         std::memcmp(&read->sampler.border, &map.sampler.border, sizeof map.sampler.border) == 0;
+                         are_equal(read->sampler.border, map.sampler.border);
     if (!is_read) {
       has_alpha ? read_map<true>(map, count, s) : read_map<false>(map, count, s);
       read = &map;
