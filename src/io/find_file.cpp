@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 constexpr int kMostEntries = 65536;  // of a folder that is looked through without regard to case
 
 fs::path with_slashes(std::string name) {
-  std::ranges::replace(name, '\\', '/');
+  std::replace(name.begin(), name.end(), '\\', '/');
   return {name};
 }
 
@@ -33,7 +33,7 @@ bool is_absolute_name(const std::string& name) {
 }
 
 std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  std::transform(text.begin(), text.end(), text.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   return text;
 }
 

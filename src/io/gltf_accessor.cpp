@@ -79,7 +79,7 @@ void visit_dense(const GltfFile& file, const GltfAccessor& accessor, F&& f) {
     return;
   }
   const GltfView& view = file.document.views[accessor.view];
-  const std::size_t stride = view.stride != 0 ? view.stride : accessor.element_bytes();
+  const auto stride = static_cast<std::size_t>(view.stride != 0 ? view.stride : accessor.element_bytes());
   const char* begin = file.views[accessor.view].data() + accessor.offset;
   for (std::size_t i = 0; i < accessor.count; ++i) {
     visit_element(accessor, begin + i * stride, i * accessor.components(), f);
@@ -116,7 +116,7 @@ Result<std::vector<float>> read_floats(GltfFile& file, std::uint32_t index) {
   if (const Result<void> taken = file.take(count, fmt::format("accessors[{}].count", index)); !taken) {
     return tl::unexpected(taken.error());
   }
-  std::vector<float> values(count);
+  std::vector<float> values(static_cast<std::size_t>(count));
   const auto set = [&](std::size_t at, const char* from) { values[at] = float_at(from, accessor.component, accessor.is_normalized); };
   visit_dense(file, accessor, set);
   if (const Result<void> done = visit_sparse(file, index, set); !done) {
@@ -131,7 +131,7 @@ Result<std::vector<std::uint32_t>> read_whole(GltfFile& file, std::uint32_t inde
   if (const Result<void> taken = file.take(count, fmt::format("accessors[{}].count", index)); !taken) {
     return tl::unexpected(taken.error());
   }
-  std::vector<std::uint32_t> values(count);
+  std::vector<std::uint32_t> values(static_cast<std::size_t>(count));
   const auto set = [&](std::size_t at, const char* from) { values[at] = whole_at(from, accessor.component); };
   visit_dense(file, accessor, set);
   if (const Result<void> done = visit_sparse(file, index, set); !done) {

@@ -109,9 +109,14 @@ Result<void> read_buffers(GltfFile& file, const Parts& parts, const GltfOptions&
       return file.fail_at(fmt::format("buffers[{}].byteLength", i),
                           fmt::format("{} bytes are stated, and there are {}", buffer.length, bytes->size()));
     }
-    file.buffers.push_back(bytes->substr(0, buffer.length));
+    file.buffers.push_back(bytes->substr(0, static_cast<std::size_t>(buffer.length)));
   }
   return {};
+}
+
+// Offsets and lengths that were checked against the bytes, so that they fit any machine's size.
+std::string_view part_of(std::string_view bytes, std::uint64_t offset, std::uint64_t length) {
+  return bytes.substr(static_cast<std::size_t>(offset), static_cast<std::size_t>(length));
 }
 
 Result<void> unpack_views(GltfFile& file) {
@@ -123,7 +128,7 @@ Result<void> unpack_views(GltfFile& file) {
     const GltfView& view = file.document.views[i];
     if (!view.meshopt) {
       const std::string_view buffer = file.buffers[view.buffer];
-      file.views.push_back(buffer.empty() ? buffer : buffer.substr(view.offset, view.length));
+      file.views.push_back(buffer.empty() ? buffer : part_of(buffer, view.offset, view.length));
       continue;
     }
     const std::string path = fmt::format("bufferViews[{}].extensions.EXT_meshopt_compression", i);
@@ -132,7 +137,7 @@ Result<void> unpack_views(GltfFile& file) {
     }
     left -= view.length;
     Result<FileBytes> unpacked =
-        unpack_meshopt(file.buffers[view.meshopt->buffer].substr(view.meshopt->offset, view.meshopt->length), *view.meshopt);
+        unpack_meshopt(part_of(file.buffers[view.meshopt->buffer], view.meshopt->offset, view.meshopt->length), *view.meshopt);
     if (!unpacked) {
       return file.fail_at(path, unpacked.error().message, unpacked.error().kind);
     }

@@ -164,7 +164,7 @@ Result<void> GltfMeshBuilder::unpack(const GltfPrimitive& primitive, const std::
 
 Result<void> GltfMeshBuilder::read_vertices(const GltfPrimitive& primitive, const std::string& path, Vertices& vertices) {
   const GltfAttributes& a = primitive.attributes;
-  vertices.count = file_.document.accessors[a.position].count;
+  vertices.count = static_cast<std::size_t>(file_.document.accessors[a.position].count);
   if (a.color != kGltfNone) {
     vertices.color_parts = file_.document.accessors[a.color].components();
   }

@@ -35,14 +35,14 @@ constexpr std::array<Statement, 15> kStatements{{
 }};
 
 std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(), [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+  std::transform(text.begin(), text.end(), text.begin(), [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
   return text;
 }
 
 const TextureSlot* slot_of(std::string_view statement) {
   for (const Statement& known : kStatements) {
     if (known.name == statement) {
-      return std::ranges::find(kTextureSlots, known.slot, &TextureSlot::key);
+      return std::find_if(kTextureSlots.begin(), kTextureSlots.end(), [&](const TextureSlot& slot) { return slot.key == known.slot; });
     }
   }
   return nullptr;
