@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <new>
 #include <utility>
 
 #include "image/byte_reader.hpp"
@@ -230,11 +229,7 @@ Result<ByteImage> decode_bmp(std::span<const std::byte> bytes, const std::string
   if (!header) {
     return tl::unexpected(header.error());
   }
-  try {
-    return read_picture(bytes, *header, where);
-  } catch (const std::bad_alloc&) {
-    return fail(ErrorKind::limit, where, "does not fit into memory");
-  }
+  return within_memory(where, [&] { return read_picture(bytes, *header, where); });
 }
 
 }  // namespace lustro

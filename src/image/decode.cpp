@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <new>
 #include <string>
 #include <string_view>
 
@@ -85,11 +84,7 @@ Result<Image> as_floats(Result<ByteImage> bytes, Transfer transfer, AlphaForm al
   if (!bytes) {
     return tl::unexpected(std::move(bytes).error());
   }
-  try {
-    return image_of_bytes(*bytes, transfer, alpha);
-  } catch (const std::bad_alloc&) {
-    return fail(ErrorKind::limit, where, "does not fit into memory");
-  }
+  return within_memory(where, [&]() -> Result<Image> { return image_of_bytes(*bytes, transfer, alpha); });
 }
 
 /// Floats that have no alpha, or a premultiplied one.

@@ -8,7 +8,6 @@
 #include <bit>
 #include <charconv>
 #include <cstdint>
-#include <new>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -216,11 +215,7 @@ Result<Image> decode_hdr(std::span<const std::byte> bytes, const std::string& wh
   if (!header) {
     return tl::unexpected(header.error());
   }
-  try {
-    return read_picture(bytes, *header, where);
-  } catch (const std::bad_alloc&) {
-    return fail(ErrorKind::limit, where, "does not fit into memory");
-  }
+  return within_memory(where, [&] { return read_picture(bytes, *header, where); });
 }
 
 }  // namespace lustro

@@ -11,7 +11,6 @@
 #include <csetjmp>
 #include <cstdint>
 #include <cstdio>
-#include <new>
 
 #include "image/decode_bytes.hpp"
 #endif
@@ -157,7 +156,7 @@ Result<ByteImage> decode_jpeg(std::span<const std::byte> bytes, const std::strin
   jpeg.out_color_space = is_inks ? JCS_CMYK : (jpeg.num_components == 1 ? JCS_GRAYSCALE : JCS_RGB);
   jpeg.dct_method = JDCT_ISLOW;
   jpeg.do_block_smoothing = FALSE;
-  try {
+  return within_memory(where, [&]() -> Result<ByteImage> {
     ByteImage image{
         static_cast<int>(jpeg.image_width), static_cast<int>(jpeg.image_height), is_inks ? 4 : (jpeg.num_components == 1 ? 1 : 3), {}};
     const std::size_t row = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
@@ -169,9 +168,7 @@ Result<ByteImage> decode_jpeg(std::span<const std::byte> bytes, const std::strin
       inks_to_rgb(image, jpeg.saw_Adobe_marker != FALSE);
     }
     return image;
-  } catch (const std::bad_alloc&) {
-    return fail(ErrorKind::limit, where, "does not fit into memory");
-  }
+  });
 }
 
 #else

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <new>
 #include <string>
 
 #include "lustro/result.hpp"
@@ -19,5 +20,16 @@ struct ImageLimits {
 
 /// errors  malformed for a side below 1; limit
 [[nodiscard]] Result<void> check_image_size(std::int64_t width, std::int64_t height, const std::string& where, const ImageLimits& limits);
+
+/// What `make` returns, a Result; where it finds no memory, the error that says so.
+/// errors  limit
+template <class Make>
+[[nodiscard]] auto within_memory(const std::string& where, Make&& make) -> decltype(make()) {
+  try {
+    return make();
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorKind::limit, where, "does not fit into memory");
+  }
+}
 
 }  // namespace lustro

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
-#include <new>
 
 #include "image/png.hpp"
 #include "image/srgb.hpp"
@@ -120,12 +119,10 @@ Result<Image> decode_png(std::span<const std::byte> bytes, const std::string& wh
   if (auto ok = check_whole(bytes, where); !ok) {
     return tl::unexpected(std::move(ok).error());
   }
-  try {
+  return within_memory(where, [&] {
     return header.bit_depth == 16 ? decode_pixels<std::uint16_t>(context.get(), header, transfer, alpha, where)
                                   : decode_pixels<std::uint8_t>(context.get(), header, transfer, alpha, where);
-  } catch (const std::bad_alloc&) {
-    return fail(ErrorKind::limit, where, "does not fit into memory");
-  }
+  });
 }
 
 }  // namespace lustro

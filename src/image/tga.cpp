@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <new>
 #include <string_view>
 #include <vector>
 
@@ -237,11 +236,7 @@ Result<ByteImage> decode_tga(std::span<const std::byte> bytes, const std::string
   if (!header) {
     return tl::unexpected(header.error());
   }
-  try {
-    return read_picture(bytes, *header, where);
-  } catch (const std::bad_alloc&) {
-    return fail(ErrorKind::limit, where, "does not fit into memory");
-  }
+  return within_memory(where, [&] { return read_picture(bytes, *header, where); });
 }
 
 }  // namespace lustro

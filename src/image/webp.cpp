@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <new>
-
 #include "image/byte_reader.hpp"
 #include "image/decode_bytes.hpp"
 
@@ -34,7 +32,7 @@ Result<ByteImage> decode_webp(std::span<const std::byte> bytes, const std::strin
   if (auto ok = check_image_size(features.width, features.height, where, limits); !ok) {
     return tl::unexpected(std::move(ok).error());
   }
-  try {
+  return within_memory(where, [&]() -> Result<ByteImage> {
     ByteImage image{features.width, features.height, features.has_alpha != 0 ? 4 : 3, {}};
     const std::size_t row = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
     image.pixels.resize(row * static_cast<std::size_t>(image.height));
@@ -43,9 +41,7 @@ Result<ByteImage> decode_webp(std::span<const std::byte> bytes, const std::strin
       return fail(ErrorKind::malformed, where, "the data of the WebP file is broken");
     }
     return image;
-  } catch (const std::bad_alloc&) {
-    return fail(ErrorKind::limit, where, "does not fit into memory");
-  }
+  });
 }
 
 #else
