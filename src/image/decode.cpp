@@ -15,6 +15,7 @@
 #include "image/file.hpp"
 #include "image/hdr.hpp"
 #include "image/jpeg.hpp"
+#include "image/lower_case.hpp"
 #include "image/pfm.hpp"
 #include "image/png.hpp"
 #include "image/tga.hpp"
@@ -125,8 +126,7 @@ ImageFormat format_of_content(std::span<const std::byte> head) {
 }
 
 ImageFormat format_of_name(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::ranges::transform(extension, extension.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  const std::string extension = lower_case(file.extension().string());
   for (const Kind& kind : kKinds) {
     if (!extension.empty() && std::ranges::find(kind.extensions, extension) != kind.extensions.end()) {
       return kind.format;

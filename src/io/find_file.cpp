@@ -8,6 +8,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "image/lower_case.hpp"
 #include "io/text.hpp"
 
 namespace lustro {
@@ -32,14 +33,9 @@ bool is_absolute_name(const std::string& name) {
   return with_slashes(name).is_absolute() || (name.size() > 1 && name[1] == ':');
 }
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return text;
-}
-
 /// The file of that name in another case; the first in the order of names where there are several.
 std::optional<fs::path> find_in_other_case(const fs::path& file) {
-  const std::string wanted = lower(file.filename().string());
+  const std::string wanted = lower_case(file.filename().string());
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   std::optional<fs::path> found;
   std::error_code error;
@@ -47,7 +43,7 @@ std::optional<fs::path> find_in_other_case(const fs::path& file) {
   for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator() && entries < kMostEntries;
        entry.increment(error), ++entries) {
     const fs::path name = entry->path().filename();
-    if (lower(name.string()) == wanted && is_file(entry->path()) && (!found || name < found->filename())) {
+    if (lower_case(name.string()) == wanted && is_file(entry->path()) && (!found || name < found->filename())) {
       found = file.parent_path() / name;
     }
   }

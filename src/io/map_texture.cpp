@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
+
+#include "image/lower_case.hpp"
 
 namespace lustro {
 namespace {
@@ -33,11 +34,6 @@ constexpr std::array<Statement, 15> kStatements{{
     {"map_norm", "normal"},
     {"map_kn", "normal"},
 }};
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
-  return text;
-}
 
 const TextureSlot* slot_of(std::string_view statement) {
   for (const Statement& known : kStatements) {
@@ -110,7 +106,7 @@ void tilt_normals(TextureUse& use, float factor) {
 }
 
 std::optional<MapUse> use_of_map(const TextureMap& map, bool transparency_is_tr, const std::function<void(std::string)>& note) {
-  const std::string statement = lower(map.statement);
+  const std::string statement = lower_case(map.statement);
   MapUse result;
   result.slot = slot_of(statement);
   if (result.slot == nullptr) {

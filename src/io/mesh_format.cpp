@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <utility>
 
+#include "image/lower_case.hpp"
 #include "io/obj_statements.hpp"
 #include "io/off.hpp"
 #include "io/stl.hpp"
@@ -96,9 +96,7 @@ MeshFormat mesh_format_of_content(std::string_view bytes) {
 }
 
 MeshFormat mesh_format_of_name(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+  const std::string extension = lower_case(file.extension().string());
   constexpr std::array<std::pair<std::string_view, MeshFormat>, 7> kExtensions{{
       {".obj", MeshFormat::obj},
       {".ply", MeshFormat::ply},

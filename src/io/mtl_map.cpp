@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 
+#include "image/lower_case.hpp"
 #include "io/text.hpp"
 
 namespace lustro {
@@ -94,9 +94,7 @@ bool read_option(TextCursor& text, std::string_view name, TextureMap& map) {
 }  // namespace
 
 bool is_map_statement(std::string_view word) {
-  std::string lower(word.substr(0, 16));  // longer words are none
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+  const std::string lower = lower_case(std::string(word.substr(0, 16)));  // longer words are none
   return word.size() <= 16 && std::find(kMapStatements.begin(), kMapStatements.end(), lower) != kMapStatements.end();
 }
 
