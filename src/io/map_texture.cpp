@@ -38,7 +38,7 @@ constexpr std::array<Statement, 15> kStatements{{
 const TextureSlot* slot_of(std::string_view statement) {
   for (const Statement& known : kStatements) {
     if (known.name == statement) {
-      return std::find_if(kTextureSlots.begin(), kTextureSlots.end(), [&](const TextureSlot& slot) { return slot.key == known.slot; });
+      return texture_slot(known.slot);
     }
   }
   return nullptr;

@@ -192,8 +192,8 @@ void explain_maps(const Face& face, const Mapped& mapped, FragmentExplanation& e
     const ShadingMap& map = maps[row.kind];
     const Footprint<float> at = on_map(map, mapped.at[map.uv_set]);
     const MapValue<float> value = look_up<TexelReader>(map, mapped.at[map.uv_set]);
-    explanation.maps.push_back({.map = std::string(row.name),
-                                .name = (face.material.stated.textures.*row.use)->name,
+    explanation.maps.push_back({.map = std::string(row.slot->key),
+                                .name = (face.material.stated.textures.*row.slot->use)->name,
                                 .u = at.u,
                                 .v = at.v,
                                 .level_of_detail = size_of_footprint(map.sampler, map.width, map.height, at).lod,

@@ -9,14 +9,10 @@ namespace lustro {
 namespace {
 
 constexpr std::array kRows{
-    MapRow{MapKind::ambient, "ambient", &MaterialTextures::ambient},
-    MapRow{MapKind::diffuse, "diffuse", &MaterialTextures::diffuse},
-    MapRow{MapKind::specular, "specular", &MaterialTextures::specular},
-    MapRow{MapKind::emission, "emission", &MaterialTextures::emission},
-    MapRow{MapKind::shininess, "shininess", &MaterialTextures::shininess},
-    MapRow{MapKind::decal, "decal", &MaterialTextures::decal},
-    MapRow{MapKind::bump, "bump", &MaterialTextures::bump},
-    MapRow{MapKind::normal, "normal", &MaterialTextures::normal},
+    MapRow{MapKind::ambient, texture_slot("ambient")},     MapRow{MapKind::diffuse, texture_slot("diffuse")},
+    MapRow{MapKind::specular, texture_slot("specular")},   MapRow{MapKind::emission, texture_slot("emission")},
+    MapRow{MapKind::shininess, texture_slot("shininess")}, MapRow{MapKind::decal, texture_slot("decal")},
+    MapRow{MapKind::bump, texture_slot("bump")},           MapRow{MapKind::normal, texture_slot("normal")},
 };
 static_assert(kRows.size() == kMapKinds);
 
@@ -97,11 +93,13 @@ ShadingMaps prepare_maps(const Material& material, const Mesh& mesh, const Shadi
   maps.decal_on_diffuse = shading.terms.diffuse;
   maps.normal_is_object_space = textures.normal_is_object_space;
   for (const MapRow& row : kRows) {
-    const std::optional<TextureUse>& use = textures.*row.use;
+    const std::optional<TextureUse>& use = textures.*row.slot->use;
     if (!use || is_of_a_term_that_is_off(row.kind, shading.terms)) {
       continue;
     }
-    const auto leave_out = [&](const std::string& why) { add_note(notes, {where, fmt::format("its {} map is left out: {}", row.name, why)}); };
+    const auto leave_out = [&](const std::string& why) {
+      add_note(notes, {where, fmt::format("its {} map is left out: {}", row.slot->key, why)});
+    };
     if (!use->texture) {
       leave_out("it has no texture");
     } else if (use->uv_set > 1 || (use->uv_set == 0 ? mesh.uvs : mesh.uvs1).empty()) {

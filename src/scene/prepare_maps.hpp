@@ -5,21 +5,20 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 
 #include "lustro/material.hpp"
 #include "lustro/mesh.hpp"
 #include "lustro/scene.hpp"
 #include "mesh/tangents.hpp"
 #include "shade/texturing.hpp"
+#include "texture/slots.hpp"
 
 namespace lustro {
 
-/// The name of a map, and where a material keeps it.
+/// A map that is drawn: its name, and where a material keeps it.
 struct MapRow {
   MapKind kind;
-  std::string_view name;
-  std::optional<TextureUse> MaterialTextures::*use;
+  const TextureSlot* slot;
 };
 [[nodiscard]] std::span<const MapRow> map_rows();
 

@@ -29,4 +29,14 @@ inline constexpr std::array<TextureSlot, 9> kTextureSlots{{
     {"normal", &MaterialTextures::normal, TextureContent::data, false},
 }};
 
+/// The place of that name; null where there is none.
+[[nodiscard]] constexpr const TextureSlot* texture_slot(std::string_view key) {
+  for (const TextureSlot& slot : kTextureSlots) {
+    if (slot.key == key) {
+      return &slot;
+    }
+  }
+  return nullptr;
+}
+
 }  // namespace lustro
