@@ -78,6 +78,12 @@ fs::path find_beside(const fs::path& folder, const std::string& name) {
   return is_absolute || is_file(last) ? last : folder / written;
 }
 
+std::string identity_of(const fs::path& file) {
+  std::error_code error;
+  const fs::path canonical = fs::weakly_canonical(file, error);
+  return error ? file.string() : canonical.string();
+}
+
 Result<FoundFile> find_texture(const fs::path& folder, const std::string& name) {
   const fs::path written = with_slashes(name);
   const fs::path beside = folder / written.filename();

@@ -12,6 +12,9 @@ namespace lustro {
 /// did not come along) by its last part. Slashes may be of either kind. What is not there comes back as written.
 [[nodiscard]] std::filesystem::path find_beside(const std::filesystem::path& folder, const std::string& name);
 
+/// One name for one file, however its path is written: links and `..` followed as far as the file is there.
+[[nodiscard]] std::string identity_of(const std::filesystem::path& file);
+
 /// A picture's file, and what had to be overlooked to find it (empty: nothing).
 struct FoundFile {
   std::filesystem::path path;

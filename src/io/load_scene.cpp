@@ -14,6 +14,7 @@
 #include <utility>
 #include <variant>
 
+#include "io/find_file.hpp"
 #include "io/gltf_scene.hpp"
 #include "io/load_mesh.hpp"
 #include "io/mesh_format.hpp"
@@ -55,14 +56,9 @@ bool is_primitive(std::string_view source) {
   return source.starts_with(kPrimitive);
 }
 
-/// One name for one file, however the objects write its path.
-std::string identity_of(const std::string& source, const fs::path& file) {
-  if (is_primitive(source)) {
-    return source;
-  }
-  std::error_code error;
-  const fs::path canonical = fs::weakly_canonical(file, error);
-  return error ? file.string() : canonical.string();
+/// One name for one mesh, however the objects write its path.
+std::string identity_of_source(const std::string& source, const fs::path& file) {
+  return is_primitive(source) ? source : identity_of(file);
 }
 
 Result<BuiltMesh> build(ReadMesh read, const NormalOptions& normals, int threads) {
@@ -137,7 +133,7 @@ struct Loaded {
 Result<std::shared_ptr<const Mesh>> load_node(const NodeSource& source, const fs::path& folder, const Shading& shading,
                                               const LoadOptions& options, Loaded& loaded, NoteList& notes) {
   const fs::path file = folder / fs::path(source.file);
-  const std::string identity = identity_of(source.file, file);
+  const std::string identity = identity_of(file);
   auto model = loaded.models.find(identity);
   if (model == loaded.models.end()) {
     Result<GltfModel> read = load_gltf(file, options);
@@ -168,7 +164,7 @@ Result<std::shared_ptr<const Mesh>> load_source(const std::string& source, const
     return load_node(*node, folder, shading, options, loaded, notes);
   }
   const fs::path file = folder / fs::path(source);
-  std::shared_ptr<const Mesh>& mesh = loaded.meshes[identity_of(source, file)];
+  std::shared_ptr<const Mesh>& mesh = loaded.meshes[identity_of_source(source, file)];
   if (mesh == nullptr) {
     const std::string name = is_primitive(source) ? source : file.string();
     Result<ReadMesh> read = read_source(source, file, shading, options, loaded.textures);
@@ -291,7 +287,7 @@ Result<LoadedScene> load_gltf_scene(const fs::path& file, const LoadOptions& opt
     notes.add(std::move(note));
   }
   Loaded loaded;
-  loaded.models.emplace(identity_of(source, file), std::move(*model));
+  loaded.models.emplace(identity_of(file), std::move(*model));
   if (const auto done = load_all(result->scene, file.parent_path(), options, loaded, notes, false); !done) {
     return tl::unexpected(done.error());
   }

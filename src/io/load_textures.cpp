@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <new>
-#include <system_error>
 #include <utility>
 
 #include "image/decode_texture.hpp"
@@ -168,13 +167,6 @@ Result<Notes> finish(std::vector<Request>& requests, const LoadOptions& options,
     books.add(request.where, fmt::format("{}: the texture {}; drawn without it", request.statement, file.error->text()));
   }
   return books.notes();
-}
-
-/// One name for one file.
-std::string identity_of(const fs::path& file) {
-  std::error_code error;
-  const fs::path canonical = fs::weakly_canonical(file, error);
-  return error ? file.string() : canonical.string();
 }
 
 }  // namespace
