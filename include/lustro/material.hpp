@@ -42,8 +42,10 @@ struct Material {
   Color diffuse{{0.8F, 0.8F, 0.8F}};
   Color specular{{0, 0, 0}};
   Color emission{{0, 0, 0}};
-  float shininess = 0;                 ///< the exponent n, 0..10000
-  float opacity = 1;                   ///< 0..1, kept; surfaces are drawn opaque (a note says so)
+  float shininess = 0;  ///< the exponent n, 0..10000
+  float opacity = 1;    ///< 0..1
+  AlphaMode alpha_mode = AlphaMode::blend;
+  float alpha_cutoff = 0.5F;           ///< of AlphaMode::mask
   std::optional<Lighting> lighting{};  ///< the material's own model, else the scene's
 
   // What an MTL file says beyond the classic model, kept for the renderers that use it.

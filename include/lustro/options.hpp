@@ -44,6 +44,19 @@ enum class Projection : std::uint8_t { perspective, orthographic };
 /// Where the camera stands when the scene names no eye.
 enum class ViewPreset : std::uint8_t { three_quarter, iso, front, back, left, right, top, bottom };
 
+/// How a spot light's strength falls between its beam and its cutoff; t goes from 0 at the cutoff's cosine to 1 at the beam's.
+enum class SpotFade : std::uint8_t {
+  smoothstep,  ///< t^2 (3 - 2 t)
+  quadratic,   ///< t^2, as KHR_lights_punctual asks
+};
+
+/// What a material's opacity means.
+enum class AlphaMode : std::uint8_t {
+  blend,   ///< the share of what lies behind that is hidden
+  mask,    ///< a sample is covered where the opacity is at least the material's cutoff, else there is nothing
+  opaque,  ///< nothing: the surface hides what lies behind
+};
+
 enum class LightType : std::uint8_t { directional, point, spot };
 
 enum class FogMode : std::uint8_t { linear, exp, exp2 };

@@ -61,6 +61,7 @@ struct Attenuation {
   double constant = 1, linear = 0, quadratic = 0;  ///< f = 1 / (c + l d + q d^2)
   std::optional<double> falloff{};                 ///< if stated: f = 1 / d^falloff
   bool unclamped = false;                          ///< without it f is limited to 1
+  std::optional<double> range{};                   ///< > 0: f is multiplied by clamp(1 - (d / range)^4, 0, 1) (KHR_lights_punctual)
 };
 
 /// One entry of `lights`.
@@ -75,7 +76,8 @@ struct Light {
   Attenuation attenuation{};
   double cutoff = 45;            ///< half angle, degrees, 0..90
   std::optional<double> beam{};  ///< half angle, degrees, smaller than cutoff
-  double exponent = 0;           ///< 0..10000
+  SpotFade fade = SpotFade::smoothstep;
+  double exponent = 0;  ///< 0..10000
 };
 
 /// The key `fog`, on the Euclidean distance from the eye to the point.

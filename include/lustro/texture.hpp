@@ -76,18 +76,33 @@ struct TextureUse {
   friend bool operator==(const TextureUse&, const TextureUse&) = default;
 };
 
+/// How reflection maps surround the surface, infinitely far away.
+enum class ReflectionShape : std::uint8_t {
+  sphere,  ///< one picture: longitude along u (its middle is seen along -z), latitude along v (its top is +y)
+  cube,    ///< six pictures
+};
+
+/// What a mirroring surface shows: k_s times the maps' colour in the direction in which the view is reflected.
+struct ReflectionMap {
+  ReflectionShape shape = ReflectionShape::sphere;
+  std::array<std::optional<TextureUse>, 6> faces{};  ///< sphere: the first; cube: right, left, top, bottom, front, back (+x -x +y -y +z -z)
+  friend bool operator==(const ReflectionMap&, const ReflectionMap&) = default;
+};
+
 /// What a material's textures drive. Colours multiply their coefficient, one value each for the others.
 struct MaterialTextures {
-  std::optional<TextureUse> ambient{};    ///< rgb * k_a
-  std::optional<TextureUse> diffuse{};    ///< rgb * k_d
-  std::optional<TextureUse> specular{};   ///< rgb * k_s
-  std::optional<TextureUse> emission{};   ///< rgb * k_e
-  std::optional<TextureUse> shininess{};  ///< value * n
-  std::optional<TextureUse> opacity{};    ///< value * opacity
-  std::optional<TextureUse> decal{};      ///< rgba: laid over k_a and k_d by its alpha
-  std::optional<TextureUse> bump{};       ///< height, in units of the surface: Blinn 1978 with Mikkelsen 2010
-  std::optional<TextureUse> normal{};     ///< rgb * 2 - 1 in the tangent frame
-  bool normal_is_object_space = false;    ///< the normal map states normals of the object, not of the tangent frame
+  std::optional<TextureUse> ambient{};       ///< rgb * k_a
+  std::optional<TextureUse> diffuse{};       ///< rgb * k_d
+  std::optional<TextureUse> specular{};      ///< rgb * k_s
+  std::optional<TextureUse> emission{};      ///< rgb * k_e
+  std::optional<TextureUse> shininess{};     ///< value * n
+  std::optional<TextureUse> opacity{};       ///< value * opacity
+  std::optional<TextureUse> decal{};         ///< rgba: laid over k_a and k_d by its alpha
+  std::optional<TextureUse> bump{};          ///< height, in units of the surface: Blinn 1978 with Mikkelsen 2010
+  std::optional<TextureUse> normal{};        ///< rgb * 2 - 1 in the tangent frame
+  std::optional<TextureUse> displacement{};  ///< height along the vertex normal, in units of the mesh: the mesh is subdivided for it
+  std::optional<ReflectionMap> reflection{};
+  bool normal_is_object_space = false;  ///< the normal map states normals of the object, not of the tangent frame
   friend bool operator==(const MaterialTextures&, const MaterialTextures&) = default;
 };
 
