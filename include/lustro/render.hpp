@@ -35,7 +35,7 @@ enum class AovKind : std::uint8_t {
   material,      ///< index into PreparedScene's materials; -1 on the background
   triangle,      ///< index within the object's mesh; -1 on the background
   barycentrics,  ///< perspective-correct weights of the triangle's three vertices
-  mask,          ///< share of the pixel's samples that are covered
+  mask,          ///< share of the pixel that is covered: samples, each by what its surfaces hide together
 };
 
 struct Aov {
@@ -162,7 +162,8 @@ struct MapExplanation {
   bool applies = true;           ///< false: the place lies outside a picture that leaves the material as it is there
 };
 
-/// One surface that a pixel shows, and with how many of its samples.
+/// One surface that a pixel shows, and with how many of its samples. They come in the order of the samples that show them, and within a sample
+/// from the nearest to the farthest.
 struct FragmentExplanation {
   int object = 0;
   std::string object_name;
@@ -171,6 +172,8 @@ struct FragmentExplanation {
   std::string material_name;
   bool front = true;
   int samples = 0;
+  float opacity = 1;   ///< the share of what lies behind that it hides
+  float weight = 1;    ///< its share of the pixel: what samples it covers, what it hides there, what nearer ones let through
   float x = 0, y = 0;  ///< where in the picture it was shaded
   float depth = 0;
   Vec3f barycentrics;

@@ -24,9 +24,9 @@ Result<Explanation> take_apart(const Scene& scene, int x, int y) {
     return tl::unexpected(prepared.error());
   }
   const std::vector<ScreenTriangle> triangles = setup_triangles(*prepared, 0);
-  Visibility visibility({x, y, x + 1, y + 1}, prepared->view.samples);
+  Visibility visibility(*prepared, {x, y, x + 1, y + 1});
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    visibility.draw(prepared->view, triangles[i], i);
+    visibility.draw(triangles[i], i);
   }
   Explanation explanation;
   explanation.x = x;

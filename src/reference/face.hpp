@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "reference/triangle.hpp"
 #include "scene/prepare.hpp"
 #include "shade/interpolation.hpp"
 
@@ -27,6 +28,8 @@ struct Face {
   [[nodiscard]] Vec2f stated_uv(std::size_t set, std::size_t i) const {
     return (set == 0 ? instance.mesh->uvs : instance.mesh->uvs1)[vertices[i]];
   }
+
+  [[nodiscard]] float stated_alpha(std::size_t i) const { return instance.mesh->alphas[vertices[i]]; }
 
   [[nodiscard]] Vec3f position(std::size_t i) const { return instance.relative_from_object(stated_position(i)); }
 
@@ -69,5 +72,13 @@ struct Face {
         {w.x, w.y, w.z});
   }
 };
+
+/// The face that a triangle on the image shows.
+[[nodiscard]] inline Face face_of(const PreparedScene& scene, const ScreenTriangle& t) {
+  const Instance& instance = scene.instances[t.instance];
+  const std::uint32_t triangle = t.id - instance.first_triangle;
+  return {scene, instance, scene.materials[instance.material_of(triangle)], instance.mesh->triangles[triangle],
+          scene.shading.two_sided && !t.is_front ? -1.0F : 1.0F};
+}
 
 }  // namespace lustro

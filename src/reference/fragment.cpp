@@ -216,13 +216,13 @@ void explain_maps(const Face& face, const Mapped& mapped, FragmentExplanation& e
 
 Fragment shade_fragment(const PreparedScene& scene, const ScreenTriangle& t, std::int32_t px, std::int32_t py, std::span<Vec3f> light_parts,
                         FragmentExplanation* explanation) {
-  const Instance& instance = scene.instances[t.instance];
+  const Face face = face_of(scene, t);
+  const Instance& instance = face.instance;
+  const ShadingMaterial& material = face.material;
   Fragment fragment;
   fragment.instance = t.instance;
   fragment.triangle = t.id - instance.first_triangle;
   fragment.material = instance.material_of(fragment.triangle);
-  const ShadingMaterial& material = scene.materials[fragment.material];
-  const Face face{scene, instance, material, instance.mesh->triangles[fragment.triangle], scene.shading.two_sided && !t.is_front ? -1.0F : 1.0F};
 
   const Interpolants at = interpolants_at(scene.view, t, px, py);
   const float x = static_cast<float>(px) / kSubpixelUnits;

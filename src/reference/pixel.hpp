@@ -1,4 +1,5 @@
-// One pixel: its samples' winners shaded once per triangle, weighted by the samples they cover, and summed.
+// One pixel: what its samples show shaded once per triangle, weighted by the samples that show it and by what blended triangles before it let
+// through, and summed.
 #pragma once
 
 #include <array>
@@ -9,7 +10,8 @@
 
 namespace lustro {
 
-/// A resolved pixel. The colour is by definition the sum of its terms in the order of color(); everything is weighted by coverage.
+/// A resolved pixel. The colour is by definition the sum of its terms in the order of color(); everything is weighted by coverage, and what lies
+/// behind blended triangles by what they let through.
 struct Pixel {
   Terms<float> terms;
   Vec3f fog;
@@ -19,7 +21,7 @@ struct Pixel {
   Vec3f scene_part;
   Vec3f albedo;
   std::vector<Vec3f> light_parts;  ///< empty, or one a light
-  Fragment dominant;               ///< the fragment that covers the most samples, the first of equals; meaningless without coverage
+  Fragment dominant;               ///< the fragment that brings the most to the pixel, the first of equals; meaningless without coverage
 
   [[nodiscard]] std::array<float, 4> color() const {
     const Vec3f rgb = (terms.sum() + fog) + background;

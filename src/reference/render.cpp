@@ -46,9 +46,9 @@ void render_reference(const PreparedScene& scene, std::span<const Aov> aovs, con
   parallel_for(bins.size(), options.threads, [&](std::size_t band) {
     const int top = static_cast<int>(band) * kBandRows;
     const Rectangle rows{0, top, view.width, std::min(view.height, top + kBandRows)};
-    Visibility visibility(rows, view.samples);  // reference/visibility.cpp
+    Visibility visibility(scene, rows);  // reference/visibility.cpp
     for (const std::uint32_t index : bins[band]) {
-      visibility.draw(view, triangles[index], index);
+      visibility.draw(triangles[index], index);
     }
     std::uint64_t covered_here = 0;
     for (int y = rows.top; y < rows.bottom; ++y) {

@@ -1,4 +1,5 @@
-// Which triangle each sample of a part of the image shows: a visibility buffer (Burns and Hunt 2013), filled one sample at a time.
+// Which triangle each sample of a part of the image shows: a visibility buffer (Burns and Hunt 2013), filled one sample at a time. Triangles
+// that are blended are listed by pixel.
 #pragma once
 
 #include <cstdint>
@@ -15,30 +16,40 @@ struct Rectangle {
 };
 
 /// Per sample the winner: max((depth key's bits << 32) | ~id), so that the order of triangles is of no matter. Of equally near ones the first in
-/// the scene wins.
+/// the scene wins. Where a triangle's material is a mask, only samples that it covers count.
 class Visibility {
  public:
   static constexpr std::uint32_t kNothing = 0xFFFFFFFFU;
 
-  Visibility(const Rectangle& area, int samples);
+  Visibility(const PreparedScene& scene, const Rectangle& area);
 
-  /// Fills one triangle; `index` is what winner() returns.
-  void draw(const View& view, const ScreenTriangle& triangle, std::uint32_t index);
+  /// Fills one triangle; `index` is what winner() returns and layers() lists.
+  void draw(const ScreenTriangle& triangle, std::uint32_t index);
 
   /// The index of the triangle that sample `sample` of pixel (x, y) shows, or kNothing.
-  [[nodiscard]] std::uint32_t winner(int x, int y, int sample) const { return winners_[at(x, y) + static_cast<std::size_t>(sample)]; }
+  [[nodiscard]] std::uint32_t winner(int x, int y, int sample) const { return winners_[at(x, y, sample)]; }
+  /// Its key; 0 where there is none.
+  [[nodiscard]] std::uint64_t key(int x, int y, int sample) const { return keys_[at(x, y, sample)]; }
+  /// The blended triangles that cover samples of a pixel, in the order of drawing.
+  [[nodiscard]] std::span<const std::uint32_t> layers(int x, int y) const { return layers_[pixel(x, y)]; }
 
  private:
-  [[nodiscard]] std::size_t at(int x, int y) const {
-    const auto row = static_cast<std::size_t>(y - area_.top);
-    const auto column = static_cast<std::size_t>(x - area_.left);
-    return (row * static_cast<std::size_t>(area_.right - area_.left) + column) * static_cast<std::size_t>(samples_);
+  [[nodiscard]] std::size_t pixel(int x, int y) const {
+    return static_cast<std::size_t>(y - area_.top) * static_cast<std::size_t>(area_.right - area_.left) +
+           static_cast<std::size_t>(x - area_.left);
+  }
+  [[nodiscard]] std::size_t at(int x, int y, int sample) const {
+    return pixel(x, y) * static_cast<std::size_t>(scene_.view.samples) + static_cast<std::size_t>(sample);
   }
 
+  const PreparedScene& scene_;
   Rectangle area_;
-  int samples_;
   std::vector<std::uint64_t> keys_;
   std::vector<std::uint32_t> winners_;
+  std::vector<std::vector<std::uint32_t>> layers_;
 };
+
+/// A triangle's key at a sample of a pixel, by which samples choose the nearest; 0 where it does not cover it or lies behind the far plane.
+[[nodiscard]] std::uint64_t key_at(const View& view, const ScreenTriangle& t, std::int32_t px, std::int32_t py);
 
 }  // namespace lustro

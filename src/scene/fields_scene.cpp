@@ -63,7 +63,7 @@ constexpr std::array kMaterialFields{
     Field<Material>{"specular", "", &Material::specular, "k_s", "", kColor},
     Field<Material>{"emission", "", &Material::emission, "k_e", "", kColor},
     Field<Material>{"shininess", "", &Material::shininess, "the exponent n of the highlight", "", kExponent},
-    Field<Material>{"opacity", "", &Material::opacity, "kept; surfaces are drawn opaque", "", kUnit},
+    Field<Material>{"opacity", "", &Material::opacity, "the share of what lies behind that it hides", "", kUnit},
     Field<Material>{"lighting", "", &Material::lighting, "this material's own way of being lit", "", {}, "that of `shading`"},
 };
 

@@ -6,6 +6,7 @@
 //   Vec3<F> normal(i)                                  world, unit, times side
 //   std::array<F, 4> stated_tangent(i)                 Mesh::tangents
 //   Vec2<F> stated_uv(set, i)                          Mesh::uvs, Mesh::uvs1
+//   F stated_alpha(i)                                  Mesh::alphas
 #pragma once
 
 #include <array>
@@ -13,6 +14,7 @@
 
 #include "scene/prepare.hpp"
 #include "shade/interpolation.hpp"
+#include "shade/opacity.hpp"
 #include "shade/texturing.hpp"
 
 namespace lustro {
@@ -27,6 +29,23 @@ LUSTRO_INLINE std::array<Footprint<F>, 2> footprints_on(const AnyFace& face, con
     }
   }
   return at;
+}
+
+/// The opacity without its halo, 0..1. slopes: where it has a map.
+template <class Fetch, class F, class AnyFace>
+LUSTRO_INLINE F opacity_on(const AnyFace& face, const Weights<F>& w, const WeightSlopes<F>& slopes) {
+  const ShadingOpacity& stated = face.material.opacity;
+  F opacity(stated.opacity);
+  if (stated.has_vertex_alphas) {
+    opacity = opacity * ((face.stated_alpha(0) * w[0] + face.stated_alpha(1) * w[1]) + face.stated_alpha(2) * w[2]);
+  }
+  if (stated.has_map) {
+    const std::size_t set = stated.map.uv_set;
+    const MapValue<F> value =
+        look_up<Fetch>(stated.map, footprint_at<F>({face.stated_uv(set, 0), face.stated_uv(set, 1), face.stated_uv(set, 2)}, w, slopes));
+    opacity = opacity * select(value.applies > F(0), chosen_channel(stated.map, value), F(1));
+  }
+  return clamp01(opacity);
 }
 
 /// The frame in which a normal map speaks, interpolated from the vertices: of the object where its matrix is a similarity, which turns the

@@ -121,6 +121,7 @@ Result<std::shared_ptr<const DrawableMesh>> MeshCache::get(const std::shared_ptr
   for (const Vec3f& c : drawable->mesh->colors) {
     drawable->colors.push_back(demand.encoded_colors ? Vec3f{srgb_decode(c.x), srgb_decode(c.y), srgb_decode(c.z)} : c);
   }
+  drawable->has_alphas = std::any_of(drawable->mesh->alphas.begin(), drawable->mesh->alphas.end(), [](float a) { return a < 1; });
   drawable->clusters = make_clusters(*drawable->mesh, use_, threads);
   if (demand.wants_cones && use_ == ClusterUse::often) {
     drawable->cones = make_cones(*drawable->mesh, drawable->clusters, threads);

@@ -19,6 +19,7 @@ struct DrawableMesh {
   std::shared_ptr<const Mesh> stated;  ///< as the scene holds it
   std::shared_ptr<const Mesh> mesh;    ///< checked; with unit normals unless none were asked for
   std::vector<Vec3f> colors;           ///< V x 3, linear, or empty
+  bool has_alphas = false;             ///< the mesh's alphas let see through somewhere
   Clusters clusters;
   std::vector<NormalCone> cones;  ///< of the clusters, or empty
 };

@@ -234,6 +234,8 @@ Result<void> add_object(PreparedScene& prepared, const Scene& scene, std::size_t
     ShadingMaterial& shading = prepared.materials[materials++];
     prepare_material(material, scene.shading, prepared.transfer, shading);
     shading.maps = prepare_maps(material, *instance.mesh, scene.shading, where, prepared.notes);
+    shading.opacity = prepare_opacity(material, *instance.drawable, where, prepared.notes);
+    instance.alpha_modes |= bit_of(shading.opacity.mode);
   };
   if (instance.has_own_materials) {
     std::for_each(instance.mesh->materials.begin(), instance.mesh->materials.end(), add);
@@ -339,9 +341,6 @@ Result<void> prepare(const Scene& scene, MeshCache& cache, int threads, Prepared
   const float alpha = scene.image.transparent ? 0 : scene.image.background_alpha;
   const Vec3f background = linear_rgb(scene.image.background, prepared.transfer) * alpha;
   prepared.background = {background.x, background.y, background.z, alpha};
-  if (std::any_of(prepared.materials.begin(), prepared.materials.end(), [](const ShadingMaterial& m) { return m.stated.opacity < 1; })) {
-    prepared.notes.push_back({"", "materials with an opacity below 1 are drawn opaque"});
-  }
   return {};
 }
 

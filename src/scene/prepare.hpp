@@ -14,6 +14,7 @@
 #include "scene/view.hpp"
 #include "shade/fog.hpp"
 #include "shade/lighting.hpp"
+#include "shade/opacity.hpp"
 #include "shade/texturing.hpp"
 
 namespace lustro {
@@ -41,7 +42,14 @@ struct ShadingMaterial {
   Lighting lighting = Lighting::phong;
   Material stated;  ///< as the scene states it, with linear colours
   ShadingMaps maps;
+  ShadingOpacity opacity;
 };
+
+/// Sets of alpha modes: of a material, bit_of() its mode.
+using AlphaModes = std::uint8_t;
+[[nodiscard]] constexpr AlphaModes bit_of(AlphaMode mode) {
+  return static_cast<AlphaModes>(1U << static_cast<unsigned>(mode));
+}
 
 /// One object's mesh at its place.
 struct Instance {
@@ -51,6 +59,7 @@ struct Instance {
   std::uint32_t first_triangle = 0;  ///< triangles are numbered through the scene, in order
   std::uint32_t first_material = 0;  ///< index into PreparedScene::materials of the mesh's material 0
   bool has_own_materials = false;    ///< false: every triangle has first_material
+  AlphaModes alpha_modes = 0;        ///< of its materials
   bool is_mirrored = false;          ///< the matrix turns the winding round
   bool is_similarity = false;        ///< the matrix keeps angles: normals may be interpolated before they are turned
   float size = 1;                    ///< how many times larger than the mesh it is drawn: the cube root of the growth of its volume

@@ -41,6 +41,20 @@ bool is_of_a_term_that_is_off(MapKind kind, const TermSet& terms) {
   }
 }
 
+std::optional<std::string> why_not_drawn(const TextureUse& use, const Mesh& mesh) {
+  if (!use.texture) {
+    return "it has no texture";
+  }
+  if (use.uv_set > 1 || (use.uv_set == 0 ? mesh.uvs : mesh.uvs1).empty()) {
+    return fmt::format("the mesh has no texture coordinates {}", use.uv_set);
+  }
+  return {};
+}
+
+std::string name_of(const Material& material) {
+  return material.name.empty() ? "the material" : fmt::format("material \"{}\"", material.name);
+}
+
 ShadingMap prepare_map(const TextureUse& use) {
   ShadingMap map;
   map.texels = use.texture->layout();
@@ -100,10 +114,8 @@ ShadingMaps prepare_maps(const Material& material, const Mesh& mesh, const Shadi
     const auto leave_out = [&](const std::string& why) {
       add_note(notes, {where, fmt::format("its {} map is left out: {}", row.slot->key, why)});
     };
-    if (!use->texture) {
-      leave_out("it has no texture");
-    } else if (use->uv_set > 1 || (use->uv_set == 0 ? mesh.uvs : mesh.uvs1).empty()) {
-      leave_out(fmt::format("the mesh has no texture coordinates {}", use->uv_set));
+    if (const std::optional<std::string> why = why_not_drawn(*use, mesh)) {
+      leave_out(*why);
     } else if (shading.interpolation != Interpolation::phong && is_of_the_pixel(row.kind)) {
       leave_out("it needs interpolation phong");
     } else if (row.kind == MapKind::normal && !textures.normal_is_object_space && mesh.tangents.empty()) {
@@ -114,10 +126,34 @@ ShadingMaps prepare_maps(const Material& material, const Mesh& mesh, const Shadi
       maps.uv_sets |= 1U << use->uv_set;
     }
   }
-  if (textures.opacity) {
-    add_note(notes, {where, "its opacity map is left out: surfaces are drawn opaque"});
-  }
   return maps;
+}
+
+ShadingOpacity prepare_opacity(const Material& material, const DrawableMesh& drawable, const std::string& where, Notes& notes) {
+  ShadingOpacity result;
+  if (material.alpha_mode == AlphaMode::opaque) {
+    return result;
+  }
+  result.opacity = material.opacity;
+  result.cutoff = material.alpha_cutoff;
+  result.has_vertex_alphas = drawable.has_alphas;
+  if (const std::optional<TextureUse>& use = material.textures.opacity) {
+    if (const std::optional<std::string> why = why_not_drawn(*use, *drawable.mesh)) {
+      add_note(notes, {where, fmt::format("its opacity map is left out: {}", *why)});
+    } else {
+      result.has_map = true;
+      result.map = prepare_map(*use);
+    }
+  }
+  result.has_halo = material.halo && (result.opacity < 1 || !result.is_uniform());
+  const bool is_mask = material.alpha_mode == AlphaMode::mask;
+  if (!result.is_uniform() || !(result.opacity >= (is_mask ? material.alpha_cutoff : 1.0F))) {
+    result.mode = material.alpha_mode;
+  }
+  if (result.is_uniform() && (is_mask ? result.opacity < material.alpha_cutoff : !(result.opacity > 0))) {
+    add_note(notes, {where, fmt::format("{} has the opacity {}: it is not seen", name_of(material), result.opacity)});
+  }
+  return result;
 }
 
 }  // namespace lustro

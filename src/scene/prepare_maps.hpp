@@ -10,6 +10,8 @@
 #include "lustro/mesh.hpp"
 #include "lustro/scene.hpp"
 #include "mesh/tangents.hpp"
+#include "scene/mesh_cache.hpp"
+#include "shade/opacity.hpp"
 #include "shade/texturing.hpp"
 #include "texture/slots.hpp"
 
@@ -31,5 +33,8 @@ struct MapRow {
 /// where  for notes: `objects[3]`
 [[nodiscard]] ShadingMaps prepare_maps(const Material& material, const Mesh& mesh, const Shading& shading, const std::string& where,
                                        Notes& notes);
+
+/// What of the material lets see through: the mode is `opaque` where nothing does. An opacity map that cannot be drawn is left out with a note.
+[[nodiscard]] ShadingOpacity prepare_opacity(const Material& material, const DrawableMesh& drawable, const std::string& where, Notes& notes);
 
 }  // namespace lustro
