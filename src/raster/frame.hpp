@@ -59,6 +59,7 @@ struct Frame {
   std::vector<ScreenTriangle> loose;             ///< of all other clusters, clipped one by one
   TileLists cluster_lists;                       ///< of entries of `clusters`, the nearest first
   TileLists loose_lists;                         ///< of entries of `loose`
+  AlphaModes alpha_modes = 0;                    ///< of all instances
   std::vector<std::uint32_t> material_instance;  ///< the instance that a material belongs to
 
   std::span<const Aov> aovs;
@@ -136,8 +137,8 @@ struct TileScratch {
   };
   Fragments whole;  ///< each is all of its pixel
   Fragments parts;  ///< of pixels that show several, or the background, too; or whose layers are stored
-  std::array<std::uint32_t, kFragments + kPadding> part_place{};   ///< where sorting has put a part
-  std::array<std::uint8_t, kFragments + kPadding> part_samples{};  ///< of its pixel that it covers
+  std::array<std::uint32_t, kFragments + kPadding> part_place{};  ///< where sorting has put a part
+  std::array<float, kFragments + kPadding> part_amount{};         ///< samples, each by what of it the part brings to the eye
   alignas(64) std::array<float, (kFragments + kPadding) * terms> part_terms{};
   std::array<std::array<float, kFragments + kPadding>, outputs> output{};
   std::vector<float> light_output;            ///< lights x 3 x (kFragments + kPadding), where layers of lights are stored
@@ -145,8 +146,37 @@ struct TileScratch {
   std::vector<Vec3f> light_parts;
   std::vector<Reflection<float>> reflections;  ///< of every light by the material at hand
 
+  /// A blended triangle in a pixel, in front of what some of its samples show behind it.
+  struct Sheet {
+    std::uint32_t record = 0;   ///< of `records`
+    std::uint32_t next = 0;     ///< of the same pixel, an entry of `sheets`; Record::kNone: the last
+    std::uint32_t samples = 0;  ///< bit i: sample i shows it
+    std::int32_t x = 0, y = 0;  ///< where it is shaded, 1/256 pixel
+    float opacity = 0;          ///< below 0: not known yet
+    std::uint32_t part = 0;     ///< an entry of `pixel_parts`, or Record::kNone
+  };
+  /// A sheet in the order of depth.
+  struct SheetPlace {
+    std::uint64_t key = 0;    ///< as reference/visibility.hpp's: the larger, the nearer
+    std::uint32_t sheet = 0;  ///< an entry of `sheets`
+  };
+  /// A triangle that a pixel shows.
+  struct PixelPart {
+    std::uint32_t record = 0;
+    std::int32_t x = 0, y = 0;  ///< where it is shaded, 1/256 pixel
+    float amount = 0;           ///< as part_amount
+  };
+  static constexpr std::size_t kSheets = std::size_t{1} << 17;  ///< that are kept at a time; a row of pixels keeps what it needs
+  std::vector<Sheet> sheets;
+  std::size_t sheet_count = 0;
+  bool has_too_many_sheets = false;
+  std::vector<std::uint32_t> first_sheet;  ///< of a pixel, an entry of `sheets`
+  std::vector<SheetPlace> sheet_places;    ///< of a pixel
+  std::vector<PixelPart> pixel_parts;      ///< of a pixel, in their order
+
   std::vector<std::uint32_t> sorted_clusters;  ///< the tile's, the nearest first
-  static constexpr int kBlockWidth = 16;       ///< pixels
+  std::size_t sorted_count = 0;
+  static constexpr int kBlockWidth = 16;  ///< pixels
   static constexpr int kBlockHeight = 8;
   std::vector<float> block_farthest;  ///< the smallest depth key in each block; -1: nothing drawn yet; below: to be found again
   std::size_t blocks_x = 0;
@@ -161,6 +191,10 @@ struct TileScratch {
   void grow_sorted(std::size_t count);
   /// At least one more record.
   void grow_records();
+  /// At least one more sheet.
+  void grow_sheets();
+  /// Room for a pixel with so many sheets.
+  void fit_sheets_of_pixel(std::size_t count);
 };
 
 /// One instruction set's kernels.

@@ -121,7 +121,9 @@ void lay_out(Frame& frame, const PreparedScene& scene, std::span<const Aov> aovs
   }
   frame.farthest = depth_key_of(view, view.depth_far);
   frame.material_instance.assign(scene.materials.size(), 0);
+  frame.alpha_modes = 0;
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    frame.alpha_modes |= scene.instances[i].alpha_modes;
     const std::size_t end = i + 1 < scene.instances.size() ? scene.instances[i + 1].first_material : scene.materials.size();
     std::fill(frame.material_instance.data() + scene.instances[i].first_material, frame.material_instance.data() + end, i);
   }

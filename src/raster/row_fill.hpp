@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "raster/frame.hpp"
+#include "raster/row_sheets.hpp"
 #include "simd/lanes.hpp"
 
 // What a kernel fills is not cleared first.
@@ -18,54 +19,6 @@ namespace lustro::HWY_NAMESPACE {
 
 /// Below this extent, 1/256 pixel, an edge function stays below 2^31 in a triangle's box and a vector's width around it.
 inline constexpr std::int32_t kSmallExtent = 64 * kSubpixelUnits;
-
-/// The tile that is being filled.
-struct Canvas {
-  const Frame& frame;
-  TileScratch& scratch;
-  TileArea area;
-
-  [[nodiscard]] std::size_t at(int x, int y) const {
-    return static_cast<std::size_t>(y - area.top) * scratch.stride + static_cast<std::size_t>(x - area.left);
-  }
-};
-
-/// Pixels that may have a sample inside a triangle's box; bounds included.
-struct PixelRange {
-  int left, top, right, bottom;
-};
-
-/// An equally near triangle is seen where it comes first in the scene. Rare, so lane by lane; `columns` of them lie in a row.
-inline HWY_NOINLINE bool settle_ties(TileScratch& s, std::uint32_t ties, std::size_t at, std::size_t columns, std::uint32_t record) {
-  bool has_won = false;
-  for (; ties != 0; ties &= ties - 1) {
-    const auto lane = static_cast<std::size_t>(__builtin_ctz(ties));
-    std::uint32_t& winner = s.winner[at + lane / columns * s.stride + lane % columns];
-    if (s.records[record].id < s.records[winner].id) {
-      winner = record;
-      has_won = true;
-    }
-  }
-  return has_won;
-}
-
-/// Lanes of one row against what the samples show so far.
-HWY_INLINE bool merge(TileScratch& s, Mask inside, Float key, Float farthest, std::size_t at, std::uint32_t record) {
-  const Float old = load(&s.depth_key[at]);
-  const Mask is_near = inside & (key >= farthest);
-  const Mask wins = is_near & (key > old);
-  const Mask ties = is_near & (key == old);
-  bool has_won = false;
-  if (HWY_UNLIKELY(any_of(ties))) {
-    has_won = settle_ties(s, mask_bits(ties), at, kLanes, record);
-  }
-  if (any_of(wins)) {
-    store_where(wins, &s.depth_key[at], key);
-    store_where(wins, &s.winner[at], Int(static_cast<std::int32_t>(record)));
-    has_won = true;
-  }
-  return has_won;
-}
 
 #if HWY_TARGET != HWY_SCALAR
 /// The same for a patch.
@@ -86,11 +39,6 @@ HWY_INLINE bool merge_patch(TileScratch& s, Mask inside, Float key, Float farthe
   return has_won;
 }
 #endif
-
-/// 0 on a top or left edge, whose points are inside, else -1.
-HWY_INLINE std::int32_t edge_bias(std::int32_t from_x, std::int32_t from_y, std::int32_t to_x, std::int32_t to_y) {
-  return to_y < from_y || (to_y == from_y && to_x > from_x) ? 0 : -1;
-}
 
 /// One triangle whose edge functions fit 32 bits: in patches where it is narrow, else in rows.
 inline HWY_NOINLINE bool fill_small(const Canvas& c, const Record& t, std::uint32_t record, const PixelRange& range) {
@@ -332,14 +280,30 @@ HWY_INLINE Record& begin_record(TileScratch& s, const TriangleLanes& lanes, cons
   return t;
 }
 
-/// What shading asks for beside it, for a record that is kept.
-HWY_INLINE void keep_record(TileScratch& s, Record& t, const TriangleLanes& lanes, const TriangleSource& source, std::size_t i) {
+/// What shading asks for beside it.
+HWY_INLINE void complete_record(Record& t, const TriangleLanes& lanes, const TriangleSource& source, std::size_t i) {
   const std::uint32_t* vertices = source.instance.drawable->clusters.vertices.data() + source.cluster.first_vertex;
   for (std::size_t k = 0; k < 3; ++k) {
     t.vertex[k] = vertices[lanes.local[k][i]];
   }
   t.material = source.instance.material_of(t.id - source.instance.first_triangle);
+}
+
+/// The same for a record that is kept.
+HWY_INLINE void keep_record(TileScratch& s, Record& t, const TriangleLanes& lanes, const TriangleSource& source, std::size_t i) {
+  complete_record(t, lanes, source, i);
   ++s.record_count;
+}
+
+/// Those of kLanes triangles whose material has the alpha mode at hand.
+inline HWY_NOINLINE Mask of_mode(const Canvas& c, const TriangleSource& source, Mask stays) {
+  alignas(64) std::array<std::int32_t, kLanes> chosen{};
+  for (std::uint32_t left = mask_bits(stays); left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+    const std::uint32_t material = source.instance.material_of(source.in_mesh(i));
+    chosen[i] = c.frame.scene->materials[material].opacity.mode == c.mode ? 1 : 0;
+  }
+  return load(chosen.data()) > Int(0);
 }
 
 /// Below this extent triangles are filled many at a time: together they cost less than each in vectors that it fills in part.
@@ -451,7 +415,10 @@ inline HWY_NOINLINE void fill_one(const Canvas& c, const TriangleLanes& lanes, c
   }
   const auto record = static_cast<std::uint32_t>(s.record_count);
   const PixelRange range{lanes.left[i], lanes.top[i], lanes.right[i], lanes.bottom[i]};
-  if (is_small ? fill_small(c, t, record, range) : fill_large(c, t, record, range)) {
+  if (HWY_UNLIKELY(c.mode != AlphaMode::opaque)) {
+    complete_record(t, lanes, source, i);
+    s.record_count += fill_seen_through(c, t, record, range) ? 1U : 0U;
+  } else if (is_small ? fill_small(c, t, record, range) : fill_large(c, t, record, range)) {
     keep_record(s, t, lanes, source, i);
   }
 }
@@ -490,6 +457,13 @@ inline HWY_NOINLINE void fill_triangles(const Canvas& c, const Instance& instanc
     const Mask is_small = lane_max(highest_x - lowest_x, highest_y - lowest_y) < Int(kSmallExtent);
     const Int area2 = (x1 - x0) * (y2 - y0) - (y1 - y0) * (x2 - x0);  // of the small ones
     stays = stays & !(is_small & (area2 == Int(0)));
+    const TriangleSource source{instance, cluster, begin};
+    if (HWY_UNLIKELY(instance.alpha_modes != bit_of(AlphaMode::opaque))) {
+      stays = of_mode(c, source, stays);
+      if (!any_of(stays)) {
+        continue;
+      }
+    }
     const Mask is_swapped = area2 < Int(0);
     if (culling != Culling::none) {
       // Counter-clockwise with y up is a negative area with y down.
@@ -532,8 +506,10 @@ inline HWY_NOINLINE void fill_triangles(const Canvas& c, const Instance& instanc
     const Int back_flag = select(is_swapped, Int(instance.is_mirrored ? Record::kBack : 0), Int(instance.is_mirrored ? 0 : Record::kBack));
     store(lanes.flags.data(), (swapped_flag | back_flag) | select(is_small, Int(Record::kSmall), Int(0)));
 
-    const TriangleSource source{instance, cluster, begin};
-    const Mask is_tiny = stays & (lane_max(highest_x - lowest_x, highest_y - lowest_y) < Int(kTinyExtent));
+    Mask is_tiny = stays & (lane_max(highest_x - lowest_x, highest_y - lowest_y) < Int(kTinyExtent));
+    if (HWY_UNLIKELY(c.mode != AlphaMode::opaque)) {
+      is_tiny = first_lanes(0);
+    }
     if (any_of(is_tiny)) {
       fill_tiny(c, tiny, is_tiny, lanes, source);
     }
@@ -571,18 +547,21 @@ inline void fill_loose(const Canvas& c, std::uint32_t index) {
     return;
   }
   const std::uint32_t in_mesh = t.id - instance.first_triangle;
+  r.material = instance.material_of(in_mesh);
+  if (c.frame.scene->materials[r.material].opacity.mode != c.mode) {
+    return;
+  }
   r.x = t.x;
   r.y = t.y;
   r.key = t.depth_key;
   r.inverse_area = 1.0F / static_cast<float>(t.area2);
   r.id = t.id;
   r.vertex = instance.mesh->triangles[in_mesh];
-  r.material = instance.material_of(in_mesh);
   r.flags = (t.is_swapped ? Record::kSwapped : 0U) | (t.is_front ? 0U : Record::kBack) |
             (t.is_clipped ? Record::kClipped | index << Record::kLooseShift : 0U);
-  if (fill_large(c, r, static_cast<std::uint32_t>(c.scratch.record_count), range)) {
-    ++c.scratch.record_count;
-  }
+  const auto record = static_cast<std::uint32_t>(c.scratch.record_count);
+  const bool is_kept = c.mode == AlphaMode::opaque ? fill_large(c, r, record, range) : fill_seen_through(c, r, record, range);
+  c.scratch.record_count += is_kept ? 1U : 0U;
 }
 
 /// The smallest depth key in a block of the tile, over all samples: what lies wholly behind it is not seen.
@@ -690,15 +669,53 @@ HWY_INLINE void prefetch_cluster(const Frame& frame, const VisibleCluster& visib
   }
 }
 
-inline void fill_tile(const Frame& frame, std::size_t tile, TileScratch& s) {
-  const Canvas c{frame, s, frame.area(tile)};
-  const std::span<const std::uint32_t> clusters = frame.cluster_lists.of(tile);
+/// The tile's triangles of the canvas's alpha mode.
+inline HWY_NOINLINE void fill_mode(const Canvas& c, std::size_t tile) {
+  const Frame& frame = c.frame;
+  TileScratch& s = c.scratch;
   const std::span<const std::uint32_t> loose = frame.loose_lists.of(tile);
+  for (const std::uint32_t entry : loose) {
+    fill_loose(c, entry);
+  }
+  if (!loose.empty()) {
+    for (float& farthest : s.block_farthest) {
+      farthest = -2;
+    }
+  }
+  const std::span<const std::uint32_t> sorted = std::span<const std::uint32_t>(s.sorted_clusters).first(s.sorted_count);
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    if (i + 1 < sorted.size()) {
+      prefetch_cluster(frame, frame.clusters[sorted[i + 1]]);
+    }
+    const VisibleCluster& visible = frame.clusters[sorted[i]];
+    const Instance& instance = frame.scene->instances[visible.instance];
+    if (HWY_UNLIKELY((instance.alpha_modes & bit_of(c.mode)) == 0)) {
+      continue;
+    }
+    const BlockRange blocks = blocks_of(c, visible);
+    if (is_hidden(c, visible, blocks)) {
+      continue;
+    }
+    const Cluster& cluster = instance.drawable->clusters.clusters[visible.cluster];
+    project_vertices(frame, s, instance, cluster);
+    fill_triangles(c, instance, cluster);
+    for (std::size_t y = blocks.top; y <= blocks.bottom; ++y) {
+      for (std::size_t x = blocks.left; x <= blocks.right; ++x) {
+        s.block_farthest[y * s.blocks_x + x] = -2;
+      }
+    }
+  }
+}
+
+inline void fill_tile(const Frame& frame, std::size_t tile, TileScratch& s) {
+  const TileArea area = frame.area(tile);
+  const std::span<const std::uint32_t> clusters = frame.cluster_lists.of(tile);
   s.record_count = 0;
-  if (clusters.empty() && loose.empty() && !frame.wants_all) {
+  s.sorted_count = 0;
+  if (clusters.empty() && frame.loose_lists.of(tile).empty() && !frame.wants_all) {
     return;  // shade_tile() does not look at it
   }
-  const std::size_t rows = static_cast<std::size_t>(c.area.bottom - c.area.top) * s.stride;
+  const std::size_t rows = static_cast<std::size_t>(area.bottom - area.top) * s.stride;
   for (std::size_t sample = 0; sample < frame.pattern.size(); ++sample) {
     for (std::size_t i = 0; i < rows; i += kLanes) {  // a key is never below 0
       store(&s.depth_key[sample * s.plane + i], Float(-1));
@@ -708,33 +725,10 @@ inline void fill_tile(const Frame& frame, std::size_t tile, TileScratch& s) {
   for (float& farthest : s.block_farthest) {
     farthest = -1;
   }
-  for (const std::uint32_t entry : loose) {
-    fill_loose(c, entry);
-  }
-  if (!loose.empty()) {
-    for (float& farthest : s.block_farthest) {
-      farthest = -2;
-    }
-  }
-  const std::span<const std::uint32_t> sorted = sort_clusters(frame, clusters, s);
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    if (i + 1 < sorted.size()) {
-      prefetch_cluster(frame, frame.clusters[sorted[i + 1]]);
-    }
-    const VisibleCluster& visible = frame.clusters[sorted[i]];
-    const BlockRange blocks = blocks_of(c, visible);
-    if (is_hidden(c, visible, blocks)) {
-      continue;
-    }
-    const Instance& instance = frame.scene->instances[visible.instance];
-    const Cluster& cluster = instance.drawable->clusters.clusters[visible.cluster];
-    project_vertices(frame, s, instance, cluster);
-    fill_triangles(c, instance, cluster);
-    for (std::size_t y = blocks.top; y <= blocks.bottom; ++y) {
-      for (std::size_t x = blocks.left; x <= blocks.right; ++x) {
-        s.block_farthest[y * s.blocks_x + x] = -2;
-      }
-    }
+  s.sorted_count = sort_clusters(frame, clusters, s).size();
+  fill_mode({frame, s, area, AlphaMode::opaque, area.top, area.bottom}, tile);
+  if (HWY_UNLIKELY((frame.alpha_modes & bit_of(AlphaMode::mask)) != 0)) {
+    fill_mode({frame, s, area, AlphaMode::mask, area.top, area.bottom}, tile);
   }
 }
 

@@ -39,6 +39,10 @@ struct Faces {
     const std::vector<Vec2f>& uvs = set == 0 ? instance.mesh->uvs : instance.mesh->uvs1;
     return only != nullptr ? Vec2<Float>{Float(uvs[only->vertex[i]].x), Float(uvs[only->vertex[i]].y)} : gather(uvs, vertices[i]);
   }
+  [[nodiscard]] Float stated_alpha(std::size_t i) const {
+    const std::vector<float>& alphas = instance.mesh->alphas;
+    return only != nullptr ? Float(alphas[only->vertex[i]]) : gather(alphas.data(), vertices[i]);
+  }
   [[nodiscard]] Vec3<Float> position(std::size_t i) const { return instance.relative_from_object(stated_position(i)); }
   [[nodiscard]] const Vec3<Float>& stated_normal(std::size_t i) const { return normals[i]; }
   [[nodiscard]] Vec3<Float> normal(std::size_t i) const {
@@ -197,7 +201,7 @@ struct Batch {
   Faces faces;
   Vec3<Float> position;
   Vec3<Float> normal;          // where it is asked for
-  WeightSlopes<Float> slopes;  // where the material has maps
+  WeightSlopes<Float> slopes;  // where the material has maps, or a map of its opacity
 };
 
 /// What the maps say of a batch.
@@ -247,10 +251,21 @@ HWY_INLINE Batch make_batch(const Frame& frame, const TileScratch& s, const Tile
     normal = scene.shading.interpolation == Interpolation::flat ? faces.face_normal() : faces.normal_at(scene.shading.normals, at.weights);
   }
   Batch batch{at, faces, scene.view.point_at(at.x, at.y, at.depth), normal, {}};
-  if (HWY_UNLIKELY(material.maps.has_any())) {
+  if (HWY_UNLIKELY(material.maps.has_any() || material.opacity.has_map)) {
     batch.slopes = slopes_at(frame, words, at);
   }
   return batch;
+}
+
+/// reference/opacity.cpp: opacity_at()
+HWY_INLINE Float opacity_of(const Faces& faces, const FragmentPlaces& at, const WeightSlopes<Float>& slopes) {
+  const Float opacity = opacity_on<LaneFetch, Float>(faces, at.weights, slopes);
+  if (HWY_LIKELY(!faces.material.opacity.has_halo)) {
+    return opacity;
+  }
+  const Shading& shading = faces.scene.shading;
+  const Vec3<Float> normal = shading.interpolation == Interpolation::flat ? faces.face_normal() : faces.normal_at(shading.normals, at.weights);
+  return halo(opacity, dot(normal, faces.scene.view.to_eye_at(at.x, at.y)));
 }
 
 /// Looks the material's maps up; the normal becomes theirs.

@@ -3,17 +3,30 @@
 #pragma once
 
 #include "raster/frame.hpp"
+#include "raster/row_fill.hpp"
+#include "raster/row_runs.hpp"
 #include "raster/row_shade.hpp"
+#include "raster/row_sheets.hpp"
 #include "simd/lanes.hpp"
 
 // What a kernel fills is not cleared first.
 // NOLINTBEGIN(cppcoreguidelines-pro-type-member-init)
 namespace lustro::HWY_NAMESPACE {
 
-/// A pixel whose parts wait to be shaded.
+/// A pixel whose parts wait to be shaded; or a piece of one that has more parts than are shaded at a time.
 struct WaitingPixel {
   std::uint16_t x, y;  // within the tile
   std::uint16_t first, parts;
+  bool is_begin, is_end;  // of the pixel's pieces
+  float uncovered;        // samples, each by what of the background it shows
+};
+
+/// The sums of a pixel's parts.
+struct PixelSums {
+  Pixel pixel;
+  Sixteen terms;
+  float covered = 0;
+  float most = 0;
 };
 
 struct Shader {
@@ -21,18 +34,25 @@ struct Shader {
   TileScratch& s;
   std::size_t pixels = 0;
   std::array<WaitingPixel, TileScratch::kFragments> waiting;
+  PixelSums pieces;  // of the pixel of which not all pieces are there
 };
 
-HWY_INLINE bool covers_center(const Record& t, std::int32_t px, std::int32_t py) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t from = i == 2 ? 0 : i + 1;
-    const std::size_t to = i == 0 ? 2 : i - 1;
-    const std::int64_t e = edge_function(t.x[from], t.y[from], t.x[to], t.y[to], px, py);
-    if (e + edge_bias(t.x[from], t.y[from], t.x[to], t.y[to]) < 0) {
-      return false;
-    }
-  }
-  return true;
+HWY_INLINE void add_part(TileScratch& s, std::uint32_t record, std::int32_t x, std::int32_t y, float amount) {
+  const std::size_t part = s.parts.count++;
+  s.parts.record[part] = record;
+  s.parts.x[part] = x;
+  s.parts.y[part] = y;
+  s.part_amount[part] = amount;
+}
+
+HWY_INLINE void add_waiting(Shader& shader, int x, int y, std::size_t first, bool is_begin, bool is_end, float uncovered) {
+  shader.waiting[shader.pixels++] = {static_cast<std::uint16_t>(x - shader.s.area.left),
+                                     static_cast<std::uint16_t>(y - shader.s.area.top),
+                                     static_cast<std::uint16_t>(first),
+                                     static_cast<std::uint16_t>(shader.s.parts.count - first),
+                                     is_begin,
+                                     is_end,
+                                     uncovered};
 }
 
 /// A pixel that shows several triangles, or some of the background: its parts, by their first sample.
@@ -44,6 +64,7 @@ inline HWY_NOINLINE void collect_parts(Shader& shader, int x, int y, std::size_t
   const std::size_t samples = frame.pattern.size();
   const std::size_t first = s.parts.count;
   std::array<std::uint32_t, 16> shown;
+  std::size_t covered = 0;
   for (std::size_t i = 0; i < samples; ++i) {
     shown[i] = s.winner[i * s.plane + at];
   }
@@ -60,73 +81,11 @@ inline HWY_NOINLINE void collect_parts(Shader& shader, int x, int y, std::size_t
       }
     }
     // The centre lies between the samples: where all of them are covered it is, too.
-    const bool at_center = count == samples || covers_center(s.records[record], px, py);
-    s.parts.record[s.parts.count] = record;
-    s.parts.x[s.parts.count] = at_center ? px : px + frame.pattern[i].x;
-    s.parts.y[s.parts.count] = at_center ? py : py + frame.pattern[i].y;
-    s.part_samples[s.parts.count] = static_cast<std::uint8_t>(count);
-    ++s.parts.count;
+    const bool at_center = count == samples || covers_point(s.records[record], px, py);
+    add_part(s, record, at_center ? px : px + frame.pattern[i].x, at_center ? py : py + frame.pattern[i].y, static_cast<float>(count));
+    covered += count;
   }
-  shader.waiting[shader.pixels++] = {static_cast<std::uint16_t>(x - shader.s.area.left), static_cast<std::uint16_t>(y - shader.s.area.top),
-                                     static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(s.parts.count - first)};
-}
-
-/// Sorts fragments by material, so that lanes share one. `place`, if not null, receives where each went.
-inline HWY_NOINLINE void sort_by_material(const Frame& frame, TileScratch& s, TileScratch::Fragments& fragments, std::uint32_t* place) {
-  std::uint32_t* begin = s.material_begin.data();
-  const std::size_t materials = frame.scene->materials.size();
-  for (std::size_t m = 0; m <= materials; ++m) {
-    begin[m] = 0;
-  }
-  alignas(64) std::array<std::uint32_t, TileScratch::kFragments> record;
-  alignas(64) std::array<std::int32_t, TileScratch::kFragments> x, y;
-  for (std::size_t i = 0; i < fragments.count; ++i) {
-    record[i] = fragments.record[i];
-    x[i] = fragments.x[i];
-    y[i] = fragments.y[i];
-    ++begin[s.records[record[i]].material + 1];
-  }
-  for (std::size_t m = 0; m < materials; ++m) {
-    begin[m + 1] += begin[m];
-  }
-  for (std::size_t i = 0; i < fragments.count; ++i) {
-    const std::uint32_t to = begin[s.records[record[i]].material]++;
-    fragments.record[to] = record[i];
-    fragments.x[to] = x[i];
-    fragments.y[to] = y[i];
-    if (place != nullptr) {
-      place[i] = to;
-    }
-  }
-}
-
-/// Shades the fragments in runs of one material.
-template <class Shade>
-HWY_INLINE void shade_runs(const Frame& frame, TileScratch& s, TileScratch::Fragments& fragments, std::uint32_t* place, Shade&& shade) {
-  const auto material_at = [&](std::size_t i) { return s.records[fragments.record[i]].material; };
-  bool is_uniform = true;
-  if (frame.scene->materials.size() > 1) {
-    for (std::size_t i = 1; i < fragments.count && is_uniform; ++i) {
-      is_uniform = material_at(i) == material_at(0);
-    }
-  }
-  if (!is_uniform) {
-    sort_by_material(frame, s, fragments, place);
-  } else if (place != nullptr) {
-    for (std::size_t i = 0; i < fragments.count; ++i) {
-      place[i] = static_cast<std::uint32_t>(i);
-    }
-  }
-  for (std::size_t i = 0; i < fragments.count;) {
-    const std::uint32_t material = material_at(i);
-    std::size_t end = is_uniform ? fragments.count : i + 1;
-    while (end < fragments.count && material_at(end) == material) {
-      ++end;
-    }
-    const Instance& instance = frame.scene->instances[frame.material_instance[material]];
-    shade(Run{frame, s, fragments, instance, frame.scene->materials[material], i, end - i});
-    i = end;
-  }
+  add_waiting(shader, x, y, first, true, true, static_cast<float>(samples - covered));
 }
 
 HWY_INLINE Vec3f output_at(const TileScratch& s, std::size_t which, std::size_t place) {
@@ -146,26 +105,19 @@ inline void store_color(const Frame& frame, int x, int y, const Vec3f& rgb, floa
   }
 }
 
-/// reference/pixel.cpp: resolve_pixel()
-inline void resolve(const Shader& shader, const WaitingPixel& waiting) {
+/// Adds the parts that wait for a pixel to its sums.
+inline void sum_parts(const Shader& shader, const WaitingPixel& waiting, PixelSums& sums) {
   const Frame& frame = shader.frame;
   TileScratch& s = shader.s;
   const auto samples = static_cast<float>(frame.pattern.size());
-  const std::array<float, 4>& background = frame.scene->background;
-  Pixel pixel;
   const std::size_t lights = frame.wants_lights ? frame.scene->lights.size() : 0;
-  for (std::size_t l = 0; l < lights; ++l) {
-    s.light_parts[l] = {};
-  }
-  int covered = 0;
-  int most = 0;
-  Sixteen sums;
+  Pixel& pixel = sums.pixel;
   for (std::size_t i = waiting.first; i < static_cast<std::size_t>(waiting.first) + waiting.parts; ++i) {
     const std::size_t place = s.part_place[i];
-    const int count = s.part_samples[i];
-    const float weight = static_cast<float>(count) / samples;
-    sums.add(&s.part_terms[place * TileScratch::terms], weight);
-    covered += count;
+    const float amount = s.part_amount[i];
+    const float weight = amount / samples;
+    sums.terms.add(&s.part_terms[place * TileScratch::terms], weight);
+    sums.covered += amount;
     if (frame.wants_all) {
       pixel.scene_part += output_at(s, TileScratch::scene_part, place) * weight;
       pixel.albedo += output_at(s, TileScratch::albedo, place) * weight;
@@ -175,8 +127,8 @@ inline void resolve(const Shader& shader, const WaitingPixel& waiting) {
         const float* light = slot.light(l);
         s.light_parts[l] += Vec3f{light[0], light[kRow], light[2 * kRow]} * weight;
       }
-      if (count > most) {
-        most = count;
+      if (amount > sums.most) {
+        sums.most = amount;
         const Record& record = s.records[s.parts.record[place]];
         const Instance& instance = frame.scene->instances[frame.material_instance[record.material]];
         Fragment& f = pixel.dominant;
@@ -190,22 +142,54 @@ inline void resolve(const Shader& shader, const WaitingPixel& waiting) {
       }
     }
   }
+}
+
+/// reference/pixel.cpp: resolve_pixel()
+inline void store_sums(const Shader& shader, const WaitingPixel& waiting, PixelSums& sums) {
+  const Frame& frame = shader.frame;
+  TileScratch& s = shader.s;
+  const auto samples = static_cast<float>(frame.pattern.size());
+  const std::array<float, 4>& background = frame.scene->background;
+  Pixel& pixel = sums.pixel;
   alignas(64) std::array<float, TileScratch::terms> sum;
-  sums.store_to(sum.data());
+  sums.terms.store_to(sum.data());
   const auto sum_of = [&sum](std::size_t term) { return Vec3f{sum[term], sum[term + 1], sum[term + 2]}; };
   pixel.terms = {sum_of(TileScratch::ambient), sum_of(TileScratch::diffuse), sum_of(TileScratch::specular), sum_of(TileScratch::emission)};
   pixel.fog = sum_of(TileScratch::fog);
-  pixel.coverage = static_cast<float>(covered) / samples;
-  const float uncovered = (samples - static_cast<float>(covered)) / samples;
+  pixel.coverage = sums.covered / samples;
+  const float uncovered = waiting.uncovered / samples;
   pixel.background = Vec3f{background[0], background[1], background[2]} * uncovered;
   pixel.alpha = pixel.coverage + background[3] * uncovered;
-  const int x = shader.s.area.left + waiting.x;
-  const int y = shader.s.area.top + waiting.y;
+  const int x = s.area.left + waiting.x;
+  const int y = s.area.top + waiting.y;
   store_color(frame, x, y, (pixel.terms.sum() + pixel.fog) + pixel.background, pixel.alpha);
   if (frame.wants_all) {
     frame.store_layers(frame, pixel, s.light_parts, x, y);
   }
-  s.pixels_covered += waiting.parts > 0 ? 1 : 0;
+  s.pixels_covered += sums.covered > 0 ? 1 : 0;
+}
+
+inline void resolve(Shader& shader, const WaitingPixel& waiting) {
+  TileScratch& s = shader.s;
+  if (waiting.is_begin) {
+    const std::size_t lights = shader.frame.wants_lights ? shader.frame.scene->lights.size() : 0;
+    for (std::size_t l = 0; l < lights; ++l) {
+      s.light_parts[l] = {};
+    }
+  }
+  if (HWY_LIKELY(waiting.is_begin && waiting.is_end)) {
+    PixelSums sums;
+    sum_parts(shader, waiting, sums);
+    store_sums(shader, waiting, sums);
+    return;
+  }
+  if (waiting.is_begin) {
+    shader.pieces = {};
+  }
+  sum_parts(shader, waiting, shader.pieces);
+  if (waiting.is_end) {
+    store_sums(shader, waiting, shader.pieces);
+  }
 }
 
 inline HWY_NOINLINE void flush_parts(Shader& shader) {
@@ -224,6 +208,80 @@ inline HWY_NOINLINE void flush_whole(const Frame& frame, TileScratch& s) {
   s.whole.count = 0;
 }
 
+/// The opacities of sheets that are not the same everywhere.
+inline HWY_NOINLINE void find_opacities(const Frame& frame, TileScratch& s) {
+  std::array<std::uint32_t, TileScratch::kFragments> waiting;
+  TileScratch::Fragments& fragments = s.whole;  // empty between bands
+  const auto flush = [&] {
+    shade_runs(frame, s, fragments, s.part_place.data(), [](const Run& run) {
+      for (std::size_t i = 0; i < run.count; i += kLanes) {
+        const Batch batch = run.batch(i);
+        store(&run.s.output[0][run.begin + i], opacity_of(batch.faces, batch.at, batch.slopes));
+      }
+    });
+    for (std::size_t i = 0; i < fragments.count; ++i) {
+      s.sheets[waiting[i]].opacity = s.output[0][s.part_place[i]];
+    }
+    fragments.count = 0;
+  };
+  for (std::size_t i = 0; i < s.sheet_count; ++i) {
+    const TileScratch::Sheet& sheet = s.sheets[i];
+    if (sheet.opacity >= 0) {
+      continue;
+    }
+    waiting[fragments.count] = static_cast<std::uint32_t>(i);
+    fragments.record[fragments.count] = sheet.record;
+    fragments.x[fragments.count] = sheet.x;
+    fragments.y[fragments.count] = sheet.y;
+    if (++fragments.count == TileScratch::kFragments) {
+      flush();
+    }
+  }
+  flush();
+}
+
+/// A pixel with blended triangles: its parts, as reference/pixel.cpp puts them in order.
+inline HWY_NOINLINE void collect_sheets(Shader& shader, int x, int y, std::size_t at) {
+  TileScratch& s = shader.s;
+  const ArrangedPixel arranged = arrange_pixel(shader.frame, s, x, y, at);
+  if (s.parts.count + arranged.parts > TileScratch::kFragments) {
+    flush_parts(shader);
+  }
+  std::size_t first = s.parts.count;
+  bool is_begin = true;
+  for (std::size_t i = 0; i < arranged.parts; ++i) {
+    const TileScratch::PixelPart& part = s.pixel_parts[i];
+    if (!(part.amount > 0)) {
+      continue;
+    }
+    if (s.parts.count == TileScratch::kFragments) {
+      add_waiting(shader, x, y, first, is_begin, false, 0);
+      flush_parts(shader);
+      first = 0;
+      is_begin = false;
+    }
+    add_part(s, part.record, part.x, part.y, part.amount);
+  }
+  add_waiting(shader, x, y, first, is_begin, true, arranged.uncovered);
+}
+
+/// Lists what of rows top .. bottom can be seen through; false where that is more than is kept at a time.
+inline HWY_NOINLINE bool find_sheets(const Frame& frame, std::size_t tile, TileScratch& s, int top, int bottom) {
+  for (int y = top; y < bottom; ++y) {
+    for (std::size_t x = 0; x < s.stride; x += kLanes) {
+      store(&s.first_sheet[static_cast<std::size_t>(y - s.area.top) * s.stride + x], Int(-1));
+    }
+  }
+  s.sheet_count = 0;
+  s.has_too_many_sheets = false;
+  fill_mode({frame, s, s.area, AlphaMode::blend, top, bottom}, tile);
+  if (s.has_too_many_sheets) {
+    return false;
+  }
+  find_opacities(frame, s);
+  return true;
+}
+
 /// Pixels x .. x + count of row y show the background.
 HWY_INLINE void store_background(const Frame& frame, int x, int y, std::size_t count) {
   const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.scene->view.width) + static_cast<std::size_t>(x);
@@ -236,6 +294,18 @@ HWY_INLINE void store_background(const Frame& frame, int x, int y, std::size_t c
     for (std::size_t i = 0; i < count; ++i) {
       std::memcpy(frame.color + 4 * (first + i), frame.background.color.data(), sizeof frame.background.color);
     }
+  }
+}
+
+/// One pixel, whatever it shows.
+HWY_INLINE void collect_pixel(Shader& shader, int x, int y, std::size_t at, bool has_sheets) {
+  if (HWY_UNLIKELY(has_sheets)) {
+    collect_sheets(shader, x, y, at);
+  } else {
+    collect_parts(shader, x, y, at);
+  }
+  if (shader.s.parts.count + shader.frame.pattern.size() > TileScratch::kFragments || shader.pixels == TileScratch::kFragments) {
+    flush_parts(shader);
   }
 }
 
@@ -254,6 +324,13 @@ HWY_INLINE void collect(Shader& shader, int x, int y, std::size_t at, std::size_
   }
   is_empty = is_empty & in_tile;
   is_whole = is_whole & in_tile;
+  std::uint32_t layered = 0;
+  if (HWY_UNLIKELY(s.sheet_count > 0)) {
+    const Mask has_sheets = in_tile & !(load(&s.first_sheet[at]) < Int(0));
+    is_empty = is_empty & !has_sheets;
+    is_whole = is_whole & !has_sheets;
+    layered = mask_bits(has_sheets);
+  }
   if (any_of(is_empty)) {
     store_background(frame, x, y, count);
   }
@@ -270,26 +347,22 @@ HWY_INLINE void collect(Shader& shader, int x, int y, std::size_t at, std::size_
   }
   for (std::uint32_t left = mask_bits(in_tile & !is_empty & !is_whole); left != 0; left &= left - 1) {
     const int lane = __builtin_ctz(left);
-    collect_parts(shader, x + lane, y, at + static_cast<std::size_t>(lane));
-    if (s.parts.count + frame.pattern.size() > TileScratch::kFragments) {
-      flush_parts(shader);
-    }
+    collect_pixel(shader, x + lane, y, at + static_cast<std::size_t>(lane), (layered >> lane & 1U) != 0);
   }
 }
 
-inline void shade_tile(const Frame& frame, std::size_t tile, TileScratch& s) {
-  s.area = frame.area(tile);
-  Shader shader{frame, s, 0, {}};
+/// Rows top .. bottom of the tile.
+inline HWY_NOINLINE void shade_rows(Shader& shader, std::size_t tile, int top, int bottom) {
+  const Frame& frame = shader.frame;
+  TileScratch& s = shader.s;
   const TileArea& area = s.area;
   const bool is_empty = frame.cluster_lists.of(tile).empty() && frame.loose_lists.of(tile).empty();
-  for (int y = area.top; y < area.bottom; ++y) {
+  for (int y = top; y < bottom; ++y) {
     const std::size_t row = static_cast<std::size_t>(y - area.top) * s.stride;
     if (frame.wants_all) {
       for (int x = area.left; x < area.right; ++x) {
-        collect_parts(shader, x, y, row + static_cast<std::size_t>(x - area.left));
-        if (s.parts.count + frame.pattern.size() > TileScratch::kFragments || shader.pixels == TileScratch::kFragments) {
-          flush_parts(shader);
-        }
+        const std::size_t at = row + static_cast<std::size_t>(x - area.left);
+        collect_pixel(shader, x, y, at, s.sheet_count > 0 && s.first_sheet[at] != Record::kNone);
       }
     } else if (is_empty) {
       store_background(frame, area.left, y, static_cast<std::size_t>(area.right - area.left));
@@ -302,6 +375,29 @@ inline void shade_tile(const Frame& frame, std::size_t tile, TileScratch& s) {
   }
   flush_whole(frame, s);
   flush_parts(shader);
+}
+
+inline void shade_tile(const Frame& frame, std::size_t tile, TileScratch& s) {
+  s.area = frame.area(tile);
+  s.sheet_count = 0;
+  Shader shader{frame, s, 0, {}, {}};
+  const TileArea& area = s.area;
+  if (HWY_LIKELY((frame.alpha_modes & bit_of(AlphaMode::blend)) == 0)) {
+    shade_rows(shader, tile, area.top, area.bottom);
+    return;
+  }
+  const std::size_t records = s.record_count;
+  int height = area.bottom - area.top;
+  for (int top = area.top; top < area.bottom;) {
+    const int bottom = top + height < area.bottom ? top + height : area.bottom;
+    s.record_count = records;
+    if (!find_sheets(frame, tile, s, top, bottom)) {
+      height = (bottom - top) / 2;  // a single row keeps all it needs
+      continue;
+    }
+    shade_rows(shader, tile, top, bottom);
+    top = bottom;
+  }
 }
 
 }  // namespace lustro::HWY_NAMESPACE

@@ -17,6 +17,9 @@ void TileScratch::fit(const Frame& frame) {
   blocks_x = static_cast<std::size_t>((frame.tile_width + kBlockWidth - 1) / kBlockWidth);
   const auto blocks_y = static_cast<std::size_t>((frame.tile_height + kBlockHeight - 1) / kBlockHeight);
   block_farthest.resize(std::max(block_farthest.size(), blocks_x * blocks_y));
+  if ((frame.alpha_modes & bit_of(AlphaMode::blend)) != 0 && first_sheet.size() < plane) {
+    first_sheet.resize(plane);
+  }
   reflections.resize(frame.scene->lights.size());
   if (frame.wants_lights) {
     light_output.resize(std::max(light_output.size(), frame.scene->lights.size() * 3 * (kFragments + kPadding)));
@@ -33,6 +36,18 @@ void TileScratch::grow_sorted(std::size_t count) {
 
 void TileScratch::grow_records() {
   records.resize(std::max<std::size_t>(4096, records.size() * 2));
+}
+
+void TileScratch::grow_sheets() {
+  sheets.resize(std::max<std::size_t>(4096, sheets.size() * 2));
+}
+
+void TileScratch::fit_sheets_of_pixel(std::size_t count) {
+  constexpr std::size_t kSamples = 16;  // each may show a triangle of its own behind them
+  if (sheet_places.size() < count) {
+    sheet_places.resize(std::max(count, sheet_places.size() * 2));
+    pixel_parts.resize(sheet_places.size() + kSamples);
+  }
 }
 
 }  // namespace lustro

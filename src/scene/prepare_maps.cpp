@@ -134,7 +134,7 @@ ShadingOpacity prepare_opacity(const Material& material, const DrawableMesh& dra
   if (material.alpha_mode == AlphaMode::opaque) {
     return result;
   }
-  result.opacity = material.opacity;
+  result.opacity = std::clamp(material.opacity, 0.0F, 1.0F);
   result.cutoff = material.alpha_cutoff;
   result.has_vertex_alphas = drawable.has_alphas;
   if (const std::optional<TextureUse>& use = material.textures.opacity) {
