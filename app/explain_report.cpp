@@ -35,6 +35,10 @@ std::string named(int index, const std::string& name) {
   return name.empty() ? fmt::format("{}", index) : fmt::format("{} {}", index, printable(name));
 }
 
+std::string percent(float share) {
+  return fmt::format("{:.4g} %", static_cast<double>(share) * 100);
+}
+
 const char* specular_formula(Lighting lighting) {
   switch (lighting) {
     case Lighting::phong:
@@ -133,13 +137,16 @@ std::string map_text(const MapExplanation& map) {
 
 std::string fragment_text(const PreparedScene& scene, const Explanation& explanation, const FragmentExplanation& fragment, std::size_t index) {
   const Material& k = fragment.coefficients;
-  std::string text = fmt::format("\nsurface {} of {}, seen by {} of {} samples\n", index + 1, explanation.fragments.size(), fragment.samples,
-                                 explanation.samples);
+  std::string text = fmt::format("\nsurface {} of {}, seen by {} of {} samples, {} of the pixel\n", index + 1, explanation.fragments.size(),
+                                 fragment.samples, explanation.samples, percent(fragment.weight));
   text += row(2, "object", named(fragment.object, fragment.object_name));
   text += row(2, "triangle", fmt::format("{}, its {}", fragment.triangle, fragment.front ? "front" : "back"));
   text += row(2, "barycentrics", fragment.barycentrics);
   text += row(2, "shaded at", fmt::format("{}, {} of the picture, depth {}", number(fragment.x), number(fragment.y), number(fragment.depth)));
   text += row(2, "position", fragment.position, "world");
+  if (fragment.opacity < 1) {
+    text += row(2, "opacity", number(fragment.opacity), "the share of what lies behind that it hides");
+  }
   text += row(2, "material", named(fragment.material, fragment.material_name.empty() ? "(the default)" : fragment.material_name),
               fmt::format("lighting {}", word_of(fragment.lighting)));
   text += row(2, "  k_a", k.ambient.rgb) + row(2, "  k_d", k.diffuse.rgb) + row(2, "  k_s", k.specular.rgb) + row(2, "  k_e", k.emission.rgb);
@@ -172,15 +179,13 @@ bool terms_sum_to_color(const Explanation& e) {
 std::string explanation_text(const Scene& scene, const PreparedScene& prepared, const Explanation& e) {
   std::string text = fmt::format("pixel {}, {} of {} x {}: interpolation {}, {} {}\n", e.x, e.y, scene.image.width, scene.image.height,
                                  word_of(e.interpolation), e.samples, e.samples == 1 ? "sample" : "samples");
-  int covered = 0;
   for (std::size_t i = 0; i < e.fragments.size(); ++i) {
     text += fragment_text(prepared, e, e.fragments[i], i);
-    covered += e.fragments[i].samples;
   }
-  if (covered < e.samples) {
-    text += fmt::format("\nbackground, seen by {} of {} samples\n", e.samples - covered, e.samples);
+  if (e.background_weight > 0) {
+    text += fmt::format("\nbackground, {} of the pixel\n", percent(e.background_weight));
   }
-  text += "\nthe pixel: each surface's terms by its share of the samples\n";
+  text += "\nthe pixel: each surface's terms by its share of the pixel\n";
   text += row(2, "  ambient", e.ambient) + row(2, "+ diffuse", e.diffuse) + row(2, "+ specular", e.specular) + row(2, "+ emission", e.emission);
   text += row(2, "+ fog", e.fog) + row(2, "+ background", e.background);
   text += row(2, "= colour", Vec3f{e.color[0], e.color[1], e.color[2]}, fmt::format("alpha {}", number(e.color[3])));

@@ -193,6 +193,7 @@ struct Explanation {
   Interpolation interpolation = Interpolation::phong;
   int samples = 1;
   std::vector<FragmentExplanation> fragments;
+  float background_weight = 0;  ///< the background's share of the pixel
   Vec3f ambient, diffuse, specular, emission, fog, background;
   std::array<float, 4> color{};
   std::array<std::uint8_t, 4> bytes{};

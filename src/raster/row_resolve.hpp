@@ -157,9 +157,9 @@ inline void store_sums(const Shader& shader, const WaitingPixel& waiting, PixelS
   pixel.terms = {sum_of(TileScratch::ambient), sum_of(TileScratch::diffuse), sum_of(TileScratch::specular), sum_of(TileScratch::emission)};
   pixel.fog = sum_of(TileScratch::fog);
   pixel.coverage = sums.covered / samples;
-  const float uncovered = waiting.uncovered / samples;
-  pixel.background = Vec3f{background[0], background[1], background[2]} * uncovered;
-  pixel.alpha = pixel.coverage + background[3] * uncovered;
+  pixel.uncovered = waiting.uncovered / samples;
+  pixel.background = Vec3f{background[0], background[1], background[2]} * pixel.uncovered;
+  pixel.alpha = pixel.coverage + background[3] * pixel.uncovered;
   const int x = s.area.left + waiting.x;
   const int y = s.area.top + waiting.y;
   store_color(frame, x, y, (pixel.terms.sum() + pixel.fog) + pixel.background, pixel.alpha);

@@ -40,6 +40,7 @@ Result<Explanation> take_apart(const Scene& scene, int x, int y) {
   explanation.emission = pixel.terms.emission;
   explanation.fog = pixel.fog;
   explanation.background = pixel.background;
+  explanation.background_weight = pixel.uncovered;
   explanation.color = pixel.color();
 
   Image one(1, 1, 4);

@@ -137,9 +137,9 @@ Pixel resolve_pixel(const PreparedScene& scene, const std::vector<ScreenTriangle
     }
   }
   pixel.coverage = covered / samples;
-  const float uncovered = shown.uncovered / samples;
-  pixel.background = Vec3f{scene.background[0], scene.background[1], scene.background[2]} * uncovered;
-  pixel.alpha = pixel.coverage + scene.background[3] * uncovered;
+  pixel.uncovered = shown.uncovered / samples;
+  pixel.background = Vec3f{scene.background[0], scene.background[1], scene.background[2]} * pixel.uncovered;
+  pixel.alpha = pixel.coverage + scene.background[3] * pixel.uncovered;
   return pixel;
 }
 

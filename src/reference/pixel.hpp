@@ -18,6 +18,7 @@ struct Pixel {
   Vec3f background;
   float alpha = 0;
   float coverage = 0;
+  float uncovered = 0;  ///< the background's share
   Vec3f scene_part;
   Vec3f albedo;
   std::vector<Vec3f> light_parts;  ///< empty, or one a light

@@ -93,7 +93,7 @@ TEST_F(ExplainCommand, JsonHoldsValuesFromPaper) {
 TEST_F(ExplainCommand, ThePixelOfTheBackgroundSaysSo) {
   const Outcome outcome = lustro({"explain", "scene.json", "0", "0", "--eye", "0,0,9"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("background, seen by 4 of 4 samples"));
+  EXPECT_THAT(outcome.out, HasSubstr("background, 100 % of the pixel"));
 }
 
 TEST_F(ExplainCommand, APixelOutsideIsAnErrorOfUse) {

@@ -125,5 +125,92 @@ TEST(TextureParity, RandomMapsOnRandomScenes) {
   }
 }
 
+// Makes what the scene draws see-through, in one of all ways.
+void open_up(Random& random, Scene& scene) {
+  for (Object& object : scene.objects) {
+    Material& material = *object.material;
+    if (random.below(5) == 0) {
+      continue;  // opaque
+    }
+    material.alpha_mode = random.below(3) == 0 ? AlphaMode::mask : AlphaMode::blend;
+    material.alpha_cutoff = random.unit();
+    material.opacity = random.below(3) == 0 ? 1 : random.unit();
+    material.halo = random.below(4) == 0;
+    if (random.below(2) == 0) {
+      material.textures.opacity = random_use(random);
+    }
+    if (random.below(3) == 0) {
+      auto mesh = std::make_shared<Mesh>(*object.mesh);
+      for (std::size_t i = 0; i < mesh->positions.size(); ++i) {
+        mesh->alphas.push_back(random.unit());
+      }
+      object.mesh = mesh;
+    }
+    if (random.below(4) == 0) {  // opaque, masked and blended triangles in one mesh
+      auto mesh = std::make_shared<Mesh>(*object.mesh);
+      Material opaque = material, mask = material;
+      opaque.alpha_mode = AlphaMode::opaque;
+      mask.alpha_mode = AlphaMode::mask;
+      mesh->materials = {opaque, mask, material};
+      for (std::size_t i = 0; i < mesh->triangles.size(); ++i) {
+        mesh->triangle_material.push_back(random.below(3));
+      }
+      object.mesh = mesh;
+      object.material.reset();
+    }
+  }
+}
+
+TEST(TransparencyParity, RandomScenes) {
+  Random random(41);
+  for (int i = 0; i < 60 && !testing::Test::HasFailure(); ++i) {
+    Scene scene = random_scene(random);
+    open_up(random, scene);
+    scene.image.samples = 1 << random.below(5);
+    scene.image.background_alpha = random.unit();
+    scene.shading.cull = static_cast<Culling>(random.below(3));
+    expect_parity(scene, "transparency " + std::to_string(i));
+  }
+}
+
+// Squares one behind the other.
+Scene stacked_scene(int sheets, int size, int samples, float opacity) {
+  Scene scene;
+  scene.image = {.width = size, .height = size, .samples = samples};
+  scene.camera.eye = Vec3d{0, 0, 3};
+  scene.camera.target = Vec3d{0, 0, 0};
+  scene.shading.lighting = Lighting::constant;
+  Mesh mesh;
+  for (int i = 0; i < sheets; ++i) {
+    const float z = -static_cast<float>(i) / static_cast<float>(sheets);
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const auto& [x, y] : {std::pair{-1.0F, -1.0F}, {1.0F, -1.0F}, {1.0F, 1.0F}, {-1.0F, 1.0F}}) {
+      mesh.positions.push_back({x, y, z});
+      mesh.normals.push_back({0, 0, 1});
+      mesh.colors.push_back({static_cast<float>(i % 3) / 2, static_cast<float>(i % 5) / 4, static_cast<float>(i % 7) / 6});
+    }
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    mesh.triangles.push_back({first, first + 2, first + 3});
+  }
+  scene.objects.push_back({.source = "stack", .mesh = std::make_shared<const Mesh>(std::move(mesh))});
+  scene.objects[0].material = Material{.opacity = opacity};
+  return scene;
+}
+
+TEST(TransparencyParity, MoreLayersThanATileKeepsAtATime) {
+  const Scene scene = stacked_scene(150, 70, 1, 0.02F);  // 64 x 64 x 150 layers where 2^17 are kept
+  const auto difference_found = difference(drawn(scene, {.engine = Engine::reference}, false), drawn(scene, {.threads = 2}, false));
+  EXPECT_FALSE(difference_found) << *difference_found;
+}
+
+TEST(TransparencyParity, MoreLayersInAPixelThanAreShadedAtATime) {
+  const Scene scene = stacked_scene(2500, 6, 2, 0.001F);
+  for (const bool with_layers : {false, true}) {
+    const auto difference_found =
+        difference(drawn(scene, {.engine = Engine::reference}, with_layers), drawn(scene, {.threads = 2}, with_layers));
+    EXPECT_FALSE(difference_found) << *difference_found;
+  }
+}
+
 }  // namespace
 }  // namespace lustro

@@ -549,7 +549,7 @@ TEST(Texturing, WhatCannotBeDrawnIsLeftOutWithANote) {
   const Rendering r = drawn(scene);
   EXPECT_EQ(r.notes, (Notes{{"objects[0]", "its diffuse map is left out: the mesh has no texture coordinates 0"},
                             {"objects[0]", "its specular map is left out: it has no texture"},
-                            {"objects[0]", "its opacity map is left out: surfaces are drawn opaque"}}));
+                            {"objects[0]", "its opacity map is left out: the mesh has no texture coordinates 0"}}));
   scene.objects[0].mesh = quad();
   scene.objects[0].material->textures = {.bump = use, .normal = use};
   scene.shading.interpolation = Interpolation::gouraud;
