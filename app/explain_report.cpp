@@ -45,6 +45,8 @@ const char* specular_formula(Lighting lighting) {
       return "max(R.V, 0)^n";
     case Lighting::blinn_phong:
       return "max(N.H, 0)^n";
+    case Lighting::ggx:
+      return "F D Vis max(N.L, 0)";
     case Lighting::lambert:
     case Lighting::constant:
       break;
@@ -63,23 +65,36 @@ float highlight(const FragmentExplanation& fragment, const LightExplanation& lig
   return varies ? power(std::max(cosine, 0.0F), LaneExponent<float>{n}) : power(std::max(cosine, 0.0F), n);
 }
 
-std::string light_text(const PreparedScene& scene, const FragmentExplanation& fragment, const LightExplanation& light) {
+/// What GGX says of one light, beside its H.
+std::string microfacet_text(const FragmentExplanation& fragment, const ShadingExplanation& shading, const LightExplanation& light) {
+  const Surface<float> surface{.position = shading.position, .normal = shading.normal, .to_eye = shading.to_eye};
+  const float alpha2 = 2 / (fragment.coefficients.shininess + 2);
+  const Microfacets<float> facets = microfacets(surface, alpha2, light.to_light, light.n_dot_l);
+  const Vec3f& k_s = fragment.coefficients.specular.rgb;
+  const auto fresnel = [&](float k) { return std::min(k, 1.0F) + (1 - std::min(k, 1.0F)) * facets.grazing; };
+  return row(6, "F", Vec3f{fresnel(k_s.x), fresnel(k_s.y), fresnel(k_s.z)}, "k_s + (1 - k_s) (1 - |V.H|)^5") +
+         fmt::format("      V.H = {}   D Vis max(N.L, 0) = {}\n", number(dot(shading.to_eye, light.half)), number(facets.lobe));
+}
+
+std::string light_text(const PreparedScene& scene, const FragmentExplanation& fragment, const ShadingExplanation& shading,
+                       const LightExplanation& light) {
   const ShadingLight& shining = scene.lights[static_cast<std::size_t>(light.light)];
   std::string text = row(4, fmt::format("light {}", named(light.light, light.name)), "");
   text += row(6, "L", light.to_light, "towards the light");
   const bool is_phong = fragment.lighting == Lighting::phong;
-  const bool is_blinn = fragment.lighting == Lighting::blinn_phong;
+  const bool is_ggx = fragment.lighting == Lighting::ggx;
+  const bool has_half = fragment.lighting == Lighting::blinn_phong || is_ggx;
   if (is_phong) {
     text += row(6, "R", light.reflected, "2 (N.L) N - L");
   }
-  if (is_blinn) {
+  if (has_half) {
     text += row(6, "H", light.half, "(L + V) / |L + V|");
   }
   std::string scalars = fmt::format("N.L = {}", number(light.n_dot_l));
   if (is_phong) {
     scalars += fmt::format("   R.V = {}", number(light.r_dot_v));
   }
-  if (is_blinn) {
+  if (has_half) {
     scalars += fmt::format("   N.H = {}", number(light.n_dot_h));
   }
   scalars += fmt::format("   f = {}   s = {}", number(light.attenuation), number(light.spot));
@@ -87,16 +102,21 @@ std::string light_text(const PreparedScene& scene, const FragmentExplanation& fr
     scalars += fmt::format("   distance = {}", number(light.distance));
   }
   text += fmt::format("      {}{}\n", scalars, light.n_dot_l <= 0 ? "   (the light is behind the surface)" : "");
+  if (is_ggx) {
+    text += microfacet_text(fragment, shading, light);
+  }
   if (shining.ambient != Vec3f{}) {
     text += row(6, "l_a", shining.ambient);
   }
   text += row(6, "l_d", shining.diffuse);
-  if (is_phong || is_blinn) {
+  if (is_phong || has_half) {
     text += row(6, "l_s", shining.specular);
   }
   text += row(6, "ambient", light.ambient, "f s k_a l_a");
-  text += row(6, "diffuse", light.diffuse, "f s k_d l_d max(N.L, 0)");
-  if (is_phong || is_blinn) {
+  text += row(6, "diffuse", light.diffuse, is_ggx ? "f s k_d l_d (1 - F) max(N.L, 0)" : "f s k_d l_d max(N.L, 0)");
+  if (is_ggx) {
+    text += row(6, "specular", light.specular, fmt::format("f s l_s {}", specular_formula(fragment.lighting)));
+  } else if (is_phong || has_half) {
     text += row(6, "specular", light.specular,
                 fmt::format("f s k_s l_s spec, spec = {} = {}", specular_formula(fragment.lighting), number(highlight(fragment, light))));
   }
@@ -119,7 +139,7 @@ std::string shading_text(const PreparedScene& scene, const Explanation& explanat
   text += row(4, "V", shading.to_eye, "towards the eye");
   text += row(4, "scene's ambient", shading.scene_ambient, "k_a I_a");
   for (const LightExplanation& light : shading.lights) {
-    text += light_text(scene, fragment, light);
+    text += light_text(scene, fragment, shading, light);
   }
   const char* clamped = explanation.interpolation == Interpolation::gouraud ? ", clamped at the vertex" : "";
   text += row(4, "sum: ambient", shading.ambient, std::string("k_a I_a + the lights'") + clamped);
@@ -154,7 +174,12 @@ std::string fragment_text(const PreparedScene& scene, const Explanation& explana
   for (const MapExplanation& map : fragment.maps) {
     text += map_text(map);
   }
-  if (fragment.lighting != Lighting::constant) {
+  if (fragment.lighting == Lighting::ggx) {
+    text += fmt::format(
+        "\n  I = k_e + k_a I_a + sum over the lights of f s [ k_a l_a + k_d l_d (1 - F) max(N.L, 0) + l_s {} ]\n"
+        "  alpha^2 = 2 / (n + 2) = {}\n\n",
+        specular_formula(fragment.lighting), number(2 / (k.shininess + 2)));
+  } else if (fragment.lighting != Lighting::constant) {
     text += fmt::format("\n  I = k_e + k_a I_a + sum over the lights of f s [ k_a l_a + k_d l_d max(N.L, 0) + k_s l_s spec ]\n  spec = {}{}\n\n",
                         specular_formula(fragment.lighting), fragment.lighting == Lighting::lambert ? "" : ", 0 where N.L <= 0");
   } else {

@@ -17,6 +17,7 @@ constexpr double kPosition = 17 + 10;             // the point, and V made 1
 constexpr double kStore = 3 * (8 + 2);            // the transfer curve, rounding
 constexpr double kAmbientAndDiffuse = 5 + 3 * 3;  // N.L; two products and their sum a channel
 constexpr double kReflect = 7 + 5, kHalf = 3 + 10 + 5;
+constexpr double kMicrofacets = 55, kFresnel = 3 * 6;
 constexpr double kPower = 25, kSpecular = 3 * 2;
 
 double light_operations(Lighting lighting) {
@@ -29,6 +30,8 @@ double light_operations(Lighting lighting) {
       return kAmbientAndDiffuse + kReflect + kPower + kSpecular;
     case Lighting::blinn_phong:
       return kAmbientAndDiffuse + kHalf + kPower + kSpecular;
+    case Lighting::ggx:
+      return kAmbientAndDiffuse + kMicrofacets + kFresnel;
   }
   return 0;
 }

@@ -12,6 +12,7 @@ enum class Lighting : std::uint8_t {
   lambert,      ///< ambient and diffuse, no highlight
   phong,        ///< highlight by (R.V)^n, Phong 1975
   blinn_phong,  ///< highlight by (N.H)^n, Blinn 1977
+  ggx,          ///< microfacets as glTF 2.0 asks, Walter et al. 2007; alpha^2 = 2 / (n + 2)
 };
 
 /// Where the lighting is evaluated.
@@ -55,6 +56,12 @@ enum class AlphaMode : std::uint8_t {
   blend,   ///< the share of what lies behind that is hidden
   mask,    ///< a sample is covered where the opacity is at least the material's cutoff, else there is nothing
   opaque,  ///< nothing: the surface hides what lies behind
+};
+
+/// What a glTF file's metal-and-roughness materials become. Coefficients and exponent are the same.
+enum class GltfShading : std::uint8_t {
+  classic,  ///< highlights by (N.H)^n
+  ggx,      ///< the lighting that glTF asks for; so, too, where the scene's lighting is `ggx`
 };
 
 enum class LightType : std::uint8_t { directional, point, spot };

@@ -131,6 +131,7 @@ struct LoadOptions {
   std::string gltf_camera = {};     ///< the camera to look through, its index or name; empty: everything is framed
   std::optional<double> time = {};  ///< seconds into the animation; nothing: the nodes as they are stated
   std::string animation = {};       ///< which one, its index or name; empty: the first
+  GltfShading gltf_shading = GltfShading::classic;
 };
 
 /// The scene that a JSON text describes, meshes not loaded yet (Object::source names them).

@@ -214,7 +214,8 @@ std::optional<Json> GlbWriter::base_texture(const Material& material) {
 Json GlbWriter::material_json(const Material& material) {
   const Vec3f base = linear(material.diffuse);
   const bool is_glossy = material.specular.rgb != Vec3f{};
-  const float exponent = material.lighting == Lighting::blinn_phong ? material.shininess : 4 * material.shininess;
+  const bool is_of_h = material.lighting == Lighting::blinn_phong || material.lighting == Lighting::ggx;
+  const float exponent = is_of_h ? material.shininess : 4 * material.shininess;
   const float roughness = is_glossy ? std::sqrt(std::sqrt(2 / (exponent + 2))) : 1.0F;
   Json surface{{"baseColorFactor", {clamped(base.x), clamped(base.y), clamped(base.z), clamped(material.opacity)}},
                {"metallicFactor", 0},

@@ -118,13 +118,13 @@ MeshBytes mtl_bytes(const Mesh& mesh, const NameFile& name_map) {
       text += map_statement(map, name_map);
     }
     textured += material.maps.empty() && has_textures(material) ? 1U : 0U;
-    lit += material.lighting == Lighting::phong || material.lighting == Lighting::blinn_phong ? 1U : 0U;
+    lit += material.lighting && *material.lighting != Lighting::constant && *material.lighting != Lighting::lambert ? 1U : 0U;
   }
   if (textured != 0) {
     mtl.notes.push_back({"", fmt::format("textures of {} materials came with no file of their own and are left out", textured)});
   }
   if (lit != 0) {
-    mtl.notes.push_back({"", fmt::format("MTL does not tell Phong from Blinn: the lighting of {} materials is left out", lit)});
+    mtl.notes.push_back({"", fmt::format("MTL does not tell Phong, Blinn and GGX apart: the lighting of {} materials is left out", lit)});
   }
   return mtl;
 }

@@ -87,7 +87,7 @@ Result<void> check_matrix(const Mat4& matrix, const JsonPath& path) {
 }
 
 bool differs(const Attenuation& a) {
-  return a.constant != 1 || a.linear != 0 || a.quadratic != 0 || a.falloff || a.unclamped;
+  return a.constant != 1 || a.linear != 0 || a.quadratic != 0 || a.falloff || a.unclamped || a.range;
 }
 
 }  // namespace
@@ -151,6 +151,9 @@ Notes unused_keys(const Scene& scene) {
     }
     if (light.type != LightType::spot && light.beam) {
       unused(path / "beam", with);
+    }
+    if (light.fade != standard.fade && (light.type != LightType::spot || !light.beam)) {
+      unused(path / "fade", light.type == LightType::spot ? "a spot light that has no beam" : with);
     }
     if (light.type != LightType::spot && light.exponent != standard.exponent) {
       unused(path / "exponent", with);

@@ -70,7 +70,7 @@ using Member =
     std::variant<bool T::*, int T::*, float T::*, double T::*, std::optional<double> T::*, Vec3d T::*, std::optional<Vec3d> T::*, Mat4 T::*,
                  Color T::*, ColorAlpha<T>, std::string T::*, TermSet T::*, Transfer T::*, Projection T::*, ViewPreset T::*, Lighting T::*,
                  std::optional<Lighting> T::*, Interpolation T::*, NormalInterpolation T::*, VertexNormals T::*, Culling T::*, LightType T::*,
-                 FogMode T::*, ImageSettings T::*, Camera T::*, Shading T::*, Attenuation T::*, std::optional<Fog> T::*,
+                 SpotFade T::*, FogMode T::*, ImageSettings T::*, Camera T::*, Shading T::*, Attenuation T::*, std::optional<Fog> T::*,
                  std::optional<std::vector<Light>> T::*, std::vector<Object> T::*, std::optional<Material> T::*, std::monostate>;
 
 /// One key of the struct T.

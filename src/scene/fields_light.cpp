@@ -23,6 +23,7 @@ constexpr std::array kLightFields{
     Field<Light>{"cutoff", "", &Light::cutoff, "half angle of a spot light's cone", "degrees", kHalfAngle},
     Field<Light>{"beam", "", &Light::beam, "half angle inside which a spot light is at its full; it fades from there to the cutoff", "degrees",
                  kHalfAngle, "a hard edge at the cutoff"},
+    Field<Light>{"fade", "", &Light::fade, "how a spot light falls from its beam to the cutoff; t goes from 0 to 1 with the cosine"},
     Field<Light>{"exponent", "", &Light::exponent, "a spot light falls off with the cosine from its axis to this power", "", kExponent},
 };
 
@@ -33,6 +34,8 @@ constexpr std::array kAttenuationFields{
     Field<Attenuation>{"falloff", "", &Attenuation::falloff, "p in f = 1 / d^p, in place of the three others", "", kNotNegative,
                        "the three others"},
     Field<Attenuation>{"unclamped", "", &Attenuation::unclamped, "without it f is limited to 1"},
+    Field<Attenuation>{"range", "", &Attenuation::range, "where the light ends: f is multiplied by clamp(1 - (d / range)^4, 0, 1)",
+                       "world units", Range{.lower = 0, .lower_open = true}, "it has no end"},
 };
 
 constexpr std::array kFogFields{

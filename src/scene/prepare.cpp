@@ -36,12 +36,13 @@ void prepare_material(const Material& material, const Shading& shading, Transfer
   const TermSet& terms = shading.terms;
   const auto keep = [](bool on, const Color& color) { return on ? color.rgb : Vec3f{}; };
   result.albedo = result.stated.diffuse.rgb;
-  result.coefficients = {keep(terms.ambient, result.stated.ambient), keep(terms.diffuse, result.stated.diffuse),
-                         keep(terms.specular, result.stated.specular), keep(terms.emission, result.stated.emission), material.shininess};
   result.lighting = material.lighting.value_or(shading.lighting);
+  const bool has_specular = terms.specular || result.lighting == Lighting::ggx;  // whose k_s takes from the diffuse part; the lights' own is 0
+  result.coefficients = {keep(terms.ambient, result.stated.ambient), keep(terms.diffuse, result.stated.diffuse),
+                         keep(has_specular, result.stated.specular), keep(terms.emission, result.stated.emission), material.shininess};
 }
 
-ShadingLight prepare_light(const Light& light, const View& view, Transfer transfer) {
+ShadingLight prepare_light(const Light& light, const View& view, const TermSet& terms, Transfer transfer) {
   ShadingLight result;
   result.type = light.type;
   result.position = vec_cast<float>(light.position - view.eye);
@@ -49,7 +50,7 @@ ShadingLight prepare_light(const Light& light, const View& view, Transfer transf
   result.travel = size > 0 ? vec_cast<float>(normalize(light.direction * (1 / size))) : Vec3f{0, 0, -1};
   result.ambient = linear_rgb(light.ambient, transfer);
   result.diffuse = linear_rgb(light.diffuse, transfer);
-  result.specular = linear_rgb(light.specular, transfer);
+  result.specular = terms.specular ? linear_rgb(light.specular, transfer) : Vec3f{};
   const Attenuation& a = light.attenuation;
   result.attenuation = vec_cast<float>(Vec3d{a.constant, a.linear, a.quadratic});
   if (a.falloff) {  // 1, 1/d and 1/d^2 are polynomials and need no power
@@ -58,12 +59,15 @@ ShadingLight prepare_light(const Light& light, const View& view, Transfer transf
     result.falloff = p == 0 || p == 1 || p == 2 ? 0 : static_cast<float>(p);
   }
   result.attenuation_limit = a.unclamped ? 1e30F : 1;
+  result.range_scale = a.range ? static_cast<float>(1 / *a.range) : 0;
   const double cos_cutoff = cosine_deg(light.cutoff);
   result.cos_cutoff = static_cast<float>(cos_cutoff);
   if (light.beam) {
     const double cos_beam = cosine_deg(*light.beam);
     result.cos_beam = static_cast<float>(cos_beam);
-    result.beam_scale = static_cast<float>(1 / (cos_beam - cos_cutoff));
+    result.fade = light.fade;
+    const double least = light.fade == SpotFade::quadratic ? 0.001 : 0;  // as KHR_lights_punctual has it
+    result.beam_scale = static_cast<float>(1 / std::max(cos_beam - cos_cutoff, least));
   }
   result.exponent = static_cast<float>(light.exponent);
   return result;
@@ -334,7 +338,7 @@ Result<void> prepare(const Scene& scene, MeshCache& cache, int threads, Prepared
     prepared.stated_lights.assign(rig.begin(), rig.end());
   }
   for (const Light& light : prepared.stated_lights) {
-    prepared.lights.push_back(prepare_light(light, prepared.view, prepared.transfer));
+    prepared.lights.push_back(prepare_light(light, prepared.view, scene.shading.terms, prepared.transfer));
   }
   prepared.ambient = linear_rgb(scene.ambient, prepared.transfer);
   prepared.fog = scene.fog ? std::optional(prepare_fog(*scene.fog, prepared.transfer)) : std::nullopt;

@@ -28,12 +28,12 @@ bool is_of_the_pixel(MapKind kind) {
   return kind == MapKind::shininess || kind == MapKind::decal || kind == MapKind::bump || kind == MapKind::normal;
 }
 
-bool is_of_a_term_that_is_off(MapKind kind, const TermSet& terms) {
+bool is_of_a_term_that_is_off(MapKind kind, const TermSet& terms, Lighting lighting) {
   switch (kind) {
     case MapKind::ambient:
       return !terms.ambient;
     case MapKind::specular:
-      return !terms.specular;
+      return !terms.specular && lighting != Lighting::ggx;  // which takes it from the diffuse part, too
     case MapKind::emission:
       return !terms.emission;
     default:  // the diffuse one is the albedo, too
@@ -108,7 +108,7 @@ ShadingMaps prepare_maps(const Material& material, const Mesh& mesh, const Shadi
   maps.normal_is_object_space = textures.normal_is_object_space;
   for (const MapRow& row : kRows) {
     const std::optional<TextureUse>& use = textures.*row.slot->use;
-    if (!use || is_of_a_term_that_is_off(row.kind, shading.terms)) {
+    if (!use || is_of_a_term_that_is_off(row.kind, shading.terms, material.lighting.value_or(shading.lighting))) {
       continue;
     }
     const auto leave_out = [&](const std::string& why) {

@@ -18,6 +18,7 @@ constexpr std::array kLighting{
     word(Lighting::lambert, "lambert", "ambient and diffuse, no highlight (Lambert 1760)"),
     word(Lighting::phong, "phong", "highlight by (R.V)^n (Phong 1975)"),
     word(Lighting::blinn_phong, "blinn-phong", "highlight by (N.H)^n (Blinn 1977)"),
+    word(Lighting::ggx, "ggx", "microfacets as glTF 2.0 asks, alpha^2 = 2 / (n + 2) (Walter et al. 2007)"),
 };
 constexpr std::array kInterpolation{
     word(Interpolation::flat, "flat", "lit once a face, at its centre, with the face's normal"),
@@ -61,6 +62,14 @@ constexpr std::array kLightType{
     word(LightType::point, "point", "light from one position in all directions"),
     word(LightType::spot, "spot", "light from one position into a cone"),
 };
+constexpr std::array kSpotFade{
+    word(SpotFade::smoothstep, "smoothstep", "t^2 (3 - 2 t)"),
+    word(SpotFade::quadratic, "quadratic", "t^2, as glTF's lights ask"),
+};
+constexpr std::array kGltfShading{
+    word(GltfShading::classic, "classic", "highlights by (N.H)^n, energy-normalised"),
+    word(GltfShading::ggx, "ggx", "microfacets, as glTF asks"),
+};
 constexpr std::array kFogMode{
     word(FogMode::linear, "linear", "f = (end - d) / (end - start)"),
     word(FogMode::exp, "exp", "f = exp(-density d)"),
@@ -85,6 +94,8 @@ template <> std::span<const Word> words_of<Transfer>() { return kTransfer; }
 template <> std::span<const Word> words_of<Projection>() { return kProjection; }
 template <> std::span<const Word> words_of<ViewPreset>() { return kViewPreset; }
 template <> std::span<const Word> words_of<LightType>() { return kLightType; }
+template <> std::span<const Word> words_of<SpotFade>() { return kSpotFade; }
+template <> std::span<const Word> words_of<GltfShading>() { return kGltfShading; }
 template <> std::span<const Word> words_of<FogMode>() { return kFogMode; }
 // clang-format on
 

@@ -21,7 +21,7 @@ struct Word {
 };
 
 /// The words of E in the order of its values: Lighting, Interpolation, NormalInterpolation, VertexNormals, Culling, Transfer, Projection,
-/// ViewPreset, LightType, FogMode.
+/// ViewPreset, LightType, SpotFade, GltfShading, FogMode.
 template <class E>
 [[nodiscard]] std::span<const Word> words_of();
 
@@ -34,10 +34,10 @@ inline constexpr bool TermSet::*kTermMembers[] = {&TermSet::ambient, &TermSet::d
 /// The entry of that word, or nullptr.
 [[nodiscard]] const Word* find_word(std::span<const Word> table, std::string_view text);
 
-/// `unknown word "blin-phong", did you mean "blinn-phong"? (known: constant, lambert, phong, blinn-phong)`
+/// `unknown word "blin-phong", did you mean "blinn-phong"? (known: constant, lambert, phong, blinn-phong, ggx)`
 [[nodiscard]] std::string unknown_word_message(std::span<const Word> table, std::string_view text);
 
-/// `constant, lambert, phong, blinn-phong`
+/// `constant, lambert, phong, blinn-phong, ggx`
 [[nodiscard]] std::string word_list(std::span<const Word> table);
 
 template <class E>

@@ -33,16 +33,18 @@ Words words_of(const GlslOptions& options) {
     }
   };
   const bool is_constant = options.lighting == Lighting::constant;
-  const bool has_highlight = !is_constant && options.lighting != Lighting::lambert && options.terms.specular;
+  const bool is_ggx = options.lighting == Lighting::ggx;  // its diffuse part depends on the highlight, which stays where its term is off
+  const bool has_highlight = !is_constant && options.lighting != Lighting::lambert && (options.terms.specular || is_ggx);
   add(is_constant, "CONSTANT");
   add(!is_constant && !has_highlight, "LAMBERT");
   add(has_highlight && options.lighting == Lighting::phong, "PHONG");
   add(has_highlight && options.lighting == Lighting::blinn_phong, "BLINN_PHONG");
+  add(is_ggx, "GGX");
   add(options.normalized, "NORMALIZED");
 
   add(options.terms.ambient && !is_constant, "AMBIENT");
   add(options.terms.diffuse, "DIFFUSE");
-  add(has_highlight, "SPECULAR");
+  add(has_highlight && options.terms.specular, "SPECULAR");
   add(options.terms.emission && !is_constant, "EMISSION");
 
   const bool is_per_vertex = options.interpolation != Interpolation::phong;

@@ -15,6 +15,9 @@
 #ifdef BLINN_PHONG
 //   spec = max(N.H, 0)^n     Blinn 1977, H = (L + V) / |L + V|; 0 where N.L <= 0
 #endif
+#ifdef GGX
+//   k_d (1 - F) in place of k_d, and k_s spec = F D Vis max(N.L, 0), the microfacets of glTF 2.0, appendix B
+#endif
 
 // A point to be lit. The eye is the origin.
 struct Surface {
@@ -43,9 +46,11 @@ struct ShadingLight {
   vec3 attenuation;         // constant, linear, quadratic; (1, 0, 0) does not attenuate
   float falloff;            // p of 1/d^p where p is none of 0, 1, 2 (those are polynomials), else 0
   float attenuation_limit;  // 1, or a huge number for no limit
+  float range_scale;        // 1 / range; 0: none
   float cos_cutoff;
   float cos_beam;
   float beam_scale;  // 1 / (cos_beam - cos_cutoff); 0: no beam
+  bool fades_quadratically;  // else by smoothstep
   float exponent;
 };
 
@@ -107,7 +112,7 @@ float power(float x, float n) {
 }
 
 // f = 1 / (c + l d + q d^2), or 1 / d^p; at most the limit.
-float attenuate(ShadingLight light, float d) {
+float fall_off(ShadingLight light, float d) {
   float attenuation;
   if (light.falloff == 0.0) {
     if (light.attenuation == vec3(1.0, 0.0, 0.0)) {
@@ -121,12 +126,23 @@ float attenuate(ShadingLight light, float d) {
   return min(attenuation, light.attenuation_limit);
 }
 
-// s = 0 outside the cutoff, else cs^exponent, faded from 1 at the beam to 0 at the cutoff by smoothstep between the cosines.
+// f, where a range is stated times clamp(1 - (d / range)^4, 0, 1).
+float attenuate(ShadingLight light, float d) {
+  float attenuation = fall_off(light, d);
+  if (light.range_scale == 0.0) {
+    return attenuation;
+  }
+  float share = d * light.range_scale;
+  float square = share * share;
+  return attenuation * clamp(1.0 - square * square, 0.0, 1.0);
+}
+
+// s = 0 outside the cutoff, else cs^exponent, faded from 1 at the beam to 0 at the cutoff by smoothstep between the cosines, or by t^2.
 float spot_factor(ShadingLight light, float cs) {
   float spot = power(cs, light.exponent);
   if (light.beam_scale != 0.0) {
     float t = clamp((cs - light.cos_cutoff) * light.beam_scale, 0.0, 1.0);
-    spot = spot * (t * t * (3.0 - 2.0 * t));
+    spot = spot * (t * t * (light.fades_quadratically ? 1.0 : 3.0 - 2.0 * t));
   }
   return cs < light.cos_cutoff ? 0.0 : spot;
 }
@@ -173,6 +189,7 @@ float n_dot_h(Surface s, vec3 to_light) {
 }
 #endif
 #ifndef LAMBERT
+#ifndef GGX
 #ifdef NORMALIZED
 
 // What makes the lobe reflect exactly the share k_s of a uniform environment at normal incidence.
@@ -201,6 +218,52 @@ float specular_factor(Surface s, float shininess, vec3 to_light, float n_dot_l) 
   return n_dot_l > 0.0 ? spec : 0.0;
 }
 #endif
+#endif
+#ifdef GGX
+
+// F, D and Vis of GGX, but for the colour of F.
+struct Microfacets {
+  float grazing;  // (1 - |V.H|)^5
+  float lobe;     // D Vis N.L, 0 where N.L <= 0
+};
+
+// D's (N.H)^2 (a - 1) + 1 is a (N.H)^2 + |N x H|^2, which does not cancel where the lobe is narrow.
+Microfacets microfacets(Surface s, float a, vec3 to_light, float n_dot_l) {
+  vec3 both = to_light + s.to_eye;
+  float square = max(dot(both, both), 1e-12);  // below it L and V are opposite, and H does not exist
+  float from_grazing = max(1.0 - abs(dot(s.to_eye, both)) / sqrt(square), 0.0);
+  float from_grazing2 = from_grazing * from_grazing;
+  float along = dot(s.normal, both);
+  vec3 across = cross(s.normal, both);
+  float spread = max((a * (along * along) + dot(across, across)) / square, a);
+  float n_dot_v = abs(dot(s.normal, s.to_eye));
+  float masking_l = n_dot_l + sqrt(a + (1.0 - a) * (n_dot_l * n_dot_l));
+  float masking_v = n_dot_v + sqrt(a + (1.0 - a) * (n_dot_v * n_dot_v));
+  float lobe = (a * n_dot_l) / ((spread * spread) * (masking_l * masking_v));
+  Microfacets facets;
+  facets.grazing = (from_grazing2 * from_grazing2) * from_grazing;
+  facets.lobe = n_dot_l > 0.0 ? lobe : 0.0;
+  return facets;
+}
+
+// One light's part by GGX, times pi for classic units. a = alpha^2 = 2 / (n + 2).
+//   F   = k_s + (1 - k_s) (1 - |V.H|)^5
+//   D   = a / ((N.H)^2 (a - 1) + 1)^2
+//   Vis = 1 / ((N.L + sqrt(a + (1 - a) (N.L)^2)) (|N.V| + sqrt(a + (1 - a) (N.V)^2)))
+LightTerms reflect_light(Surface s, Coefficients k, ShadingLight light, Incident incident) {
+  float strength = incident.attenuation * incident.spot;
+  float n_dot_l = dot(s.normal, incident.to_light);
+  LightTerms part;
+  part.ambient = (k.ambient * light.ambient) * strength;
+  Microfacets facets = microfacets(s, 2.0 / (k.shininess + 2.0), incident.to_light, n_dot_l);
+  vec3 facing = min(k.specular, vec3(1.0));
+  vec3 not_facing = vec3(1.0) - facing;
+  vec3 fresnel = facing + not_facing * facets.grazing;
+  part.diffuse = ((k.diffuse * light.diffuse) * (strength * max(n_dot_l, 0.0))) * (not_facing * (1.0 - facets.grazing));
+  part.specular = (light.specular * fresnel) * (strength * facets.lobe);
+  return part;
+}
+#else
 
 // f s [ k_a l_a + k_d l_d max(N.L, 0) + k_s l_s spec ]: one light's part.
 LightTerms reflect_light(Surface s, Coefficients k, ShadingLight light, Incident incident) {
@@ -217,6 +280,7 @@ LightTerms reflect_light(Surface s, Coefficients k, ShadingLight light, Incident
 #endif
   return part;
 }
+#endif
 #endif
 
 // The whole equation at one point.

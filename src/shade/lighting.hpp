@@ -8,11 +8,14 @@
 //          max(N.H, 0)^n        blinn-phong  Blinn 1977, H = (L + V) / |L + V|
 //   spec = 0 where N.L <= 0
 //
+//   ggx: k_d (1 - F) in place of k_d, and k_s spec = F D Vis max(N.L, 0), the microfacets of glTF 2.0, appendix B; see reflect_ggx()
+//
 // source  OpenGL 2.1 specification, 2.14.1, for the terms and their gates; docs/using/scene-file.md for falloff, beam and clamping
 #pragma once
 
 #include <cstddef>
 #include <span>
+#include <type_traits>
 
 #include "lustro/options.hpp"
 #include "lustro/vec.hpp"
@@ -46,9 +49,11 @@ struct ShadingLight {
   Vec3f attenuation{1, 0, 0};   ///< constant, linear, quadratic
   float falloff = 0;            ///< p of 1/d^p where p is none of 0, 1, 2 (those are polynomials), else 0
   float attenuation_limit = 1;  ///< 1, or a huge number for `unclamped`
+  float range_scale = 0;        ///< 1 / range; 0: none
   float cos_cutoff = 0;
   float cos_beam = 0;
   float beam_scale = 0;  ///< 1 / (cos_beam - cos_cutoff); 0: no beam
+  SpotFade fade = SpotFade::smoothstep;
   Exponent exponent;
 };
 
@@ -77,7 +82,7 @@ struct Terms {
 
 /// f = 1 / (c + l d + q d^2), or 1 / d^p; at most the limit.
 template <class F>
-LUSTRO_INLINE F attenuate(const ShadingLight& light, const F& distance) {
+LUSTRO_INLINE F fall_off(const ShadingLight& light, const F& distance) {
   F attenuation;
   if (light.falloff == 0.0F) {
     if (light.attenuation == Vec3f{1, 0, 0}) {
@@ -91,13 +96,26 @@ LUSTRO_INLINE F attenuate(const ShadingLight& light, const F& distance) {
   return lane_min(attenuation, F(light.attenuation_limit));
 }
 
-/// s = 0 outside the cutoff, else cs^exponent, faded from 1 at the beam to 0 at the cutoff by smoothstep between the cosines.
+/// f, where a range is stated times clamp(1 - (d / range)^4, 0, 1).
+/// source  KHR_lights_punctual, range property
+template <class F>
+LUSTRO_INLINE F attenuate(const ShadingLight& light, const F& distance) {
+  const F attenuation = fall_off(light, distance);
+  if (light.range_scale == 0.0F) {
+    return attenuation;
+  }
+  const F share = distance * F(light.range_scale);
+  const F square = share * share;
+  return attenuation * clamp01(F(1) - square * square);
+}
+
+/// s = 0 outside the cutoff, else cs^exponent, faded from 1 at the beam to 0 at the cutoff by smoothstep between the cosines, or by t^2.
 template <class F>
 LUSTRO_INLINE F spot_factor(const ShadingLight& light, const F& cs) {
   F spot = power(cs, light.exponent);
   if (light.beam_scale != 0.0F) {
     const F t = clamp01((cs - F(light.cos_cutoff)) * F(light.beam_scale));
-    spot = spot * (t * t * (F(3) - F(2) * t));
+    spot = spot * (t * t * (light.fade == SpotFade::quadratic ? F(1) : F(3) - F(2) * t));
   }
   return select(cs < F(light.cos_cutoff), F(0), spot);
 }
@@ -197,6 +215,56 @@ LUSTRO_INLINE LightTerms<F> reflect_light(const Surface<F>& s, const Reflection<
   return part;
 }
 
+/// F, D and Vis of GGX, but for the colour of F.
+template <class F>
+struct Microfacets {
+  F grazing;  ///< (1 - |V.H|)^5
+  F lobe;     ///< D Vis N.L, 0 where N.L <= 0
+};
+
+/// The microfacets' part of reflect_ggx(). D's (N.H)^2 (a - 1) + 1 is a (N.H)^2 + |N x H|^2, which does not cancel where the lobe is narrow.
+template <class F, class A>
+LUSTRO_INLINE Microfacets<F> microfacets(const Surface<F>& s, const A& a, const Vec3<F>& to_light, const F& n_dot_l) {
+  const Vec3<F> sum = to_light + s.to_eye;
+  const F square = lane_max(dot(sum, sum), F(1e-12F));  // below it L and V are opposite, and H does not exist
+  const F from_grazing = lane_max(F(1) - lane_abs(dot(s.to_eye, sum)) / square_root(square), F(0));
+  const F from_grazing2 = from_grazing * from_grazing;
+  const F along = dot(s.normal, sum);
+  const Vec3<F> across = cross(s.normal, sum);
+  const F spread = lane_max((F(a) * (along * along) + dot(across, across)) / square, F(a));
+  const F n_dot_v = lane_abs(dot(s.normal, s.to_eye));
+  const F masking_l = n_dot_l + square_root(F(a) + F(A(1) - a) * (n_dot_l * n_dot_l));
+  const F masking_v = n_dot_v + square_root(F(a) + F(A(1) - a) * (n_dot_v * n_dot_v));
+  const F lobe = (F(a) * n_dot_l) / ((spread * spread) * (masking_l * masking_v));
+  return {(from_grazing2 * from_grazing2) * from_grazing, select(n_dot_l > F(0), lobe, F(0))};
+}
+
+/// One light's part by GGX, times pi for classic units: a perfect mirror of any roughness reflects at most what arrives. a = alpha^2 = 2 / (n +
+/// 2).
+///   F   = k_s + (1 - k_s) (1 - |V.H|)^5        Schlick 1994; k_s counts 1 where it is more
+///   D   = a / ((N.H)^2 (a - 1) + 1)^2          Trowbridge and Reitz 1975, Walter et al. 2007
+///   Vis = 1 / ((N.L + sqrt(a + (1 - a) (N.L)^2)) (|N.V| + sqrt(a + (1 - a) (N.V)^2)))    Smith 1967, masking and shadowing apart
+///   f s [ k_a l_a + k_d l_d (1 - F) max(N.L, 0) + l_s F D Vis max(N.L, 0) ]
+/// source  glTF 2.0 specification, appendix B.2 and B.3
+template <class F, class K, class N>
+LUSTRO_INLINE LightTerms<F> reflect_ggx(const Surface<F>& s, const Reflection<K>& k, const Vec3<K>& specular, const Vec3f& light_specular,
+                                        const N& shininess, const Incident<F>& in) {
+  using A = std::remove_cvref_t<decltype(shininess.n)>;
+  const F strength = in.attenuation * in.spot;
+  const F n_dot_l = dot(s.normal, in.to_light);
+  LightTerms<F> part{vec_cast<F>(k.ambient) * strength, {}, {}};
+  if (!any_of(n_dot_l > F(0))) {
+    return part;
+  }
+  const Microfacets<F> facets = microfacets(s, A(2) / (shininess.n + A(2)), in.to_light, n_dot_l);
+  const Vec3<F> facing = vec_cast<F>(Vec3<K>{lane_min(specular.x, K(1)), lane_min(specular.y, K(1)), lane_min(specular.z, K(1))});
+  const Vec3<F> not_facing = Vec3<F>{F(1), F(1), F(1)} - facing;
+  const Vec3<F> fresnel = facing + not_facing * facets.grazing;
+  part.diffuse = (vec_cast<F>(k.diffuse) * (strength * lane_max(n_dot_l, F(0)))) * (not_facing * (F(1) - facets.grazing));
+  part.specular = (vec_cast<F>(light_specular) * fresnel) * (strength * facets.lobe);
+  return part;
+}
+
 /// The whole equation at one point. reflection_at(i) is reflection_of() light i; visit(i, incident, part) sees every light's part, in order.
 template <Lighting model, class F, class K, class N, class ReflectionAt, class Visit>
 LUSTRO_INLINE Terms<F> light_surface(const Surface<F>& s, const Coefficients<K, N>& k, const Vec3f& ambient_light,
@@ -207,7 +275,12 @@ LUSTRO_INLINE Terms<F> light_surface(const Surface<F>& s, const Coefficients<K, 
     Terms<F> terms{vec_cast<F>(k.ambient * vec_cast<K>(ambient_light)), {}, {}, vec_cast<F>(k.emission)};
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const Incident<F> in = incident_light(lights[i], s.position);
-      const LightTerms<F> part = reflect_light<model>(s, reflection_at(i), k.shininess, in, normalized);
+      LightTerms<F> part;
+      if constexpr (model == Lighting::ggx) {
+        part = reflect_ggx(s, reflection_at(i), k.specular, lights[i].specular, k.shininess, in);
+      } else {
+        part = reflect_light<model>(s, reflection_at(i), k.shininess, in, normalized);
+      }
       terms.ambient += part.ambient;
       terms.diffuse += part.diffuse;
       terms.specular += part.specular;
@@ -228,6 +301,8 @@ LUSTRO_INLINE Terms<F> light_surface(Lighting model, const Surface<F>& s, const 
       return light_surface<Lighting::lambert>(s, k, ambient_light, lights, normalized, reflection_at, visit);
     case Lighting::phong:
       return light_surface<Lighting::phong>(s, k, ambient_light, lights, normalized, reflection_at, visit);
+    case Lighting::ggx:
+      return light_surface<Lighting::ggx>(s, k, ambient_light, lights, normalized, reflection_at, visit);
     case Lighting::blinn_phong:
       break;
   }

@@ -105,8 +105,10 @@ void set_light(const Uniforms& uniforms, const std::string& name, const Light& l
   uniforms.set(name + ".falloff", is_polynomial ? 0 : p);
   uniforms.set(name + ".attenuation_limit", a.unclamped ? 1e30 : 1.0);
   uniforms.set(name + ".cos_cutoff", cosine(light.cutoff));
+  uniforms.set(name + ".range_scale", a.range ? 1 / *a.range : 0);
   uniforms.set(name + ".cos_beam", light.beam ? cosine(*light.beam) : 0);
   uniforms.set(name + ".beam_scale", light.beam ? 1 / (cosine(*light.beam) - cosine(light.cutoff)) : 0);
+  uniforms.set(name + ".fades_quadratically", light.fade == SpotFade::quadratic ? 1 : 0);
   uniforms.set(name + ".exponent", light.exponent);
 }
 

@@ -91,7 +91,8 @@ Scene random_scene(Random& random) {
   scene.image.samples = random.below(2) == 0 ? 1 : 4;
   scene.camera.projection = random.below(4) == 0 ? Projection::orthographic : Projection::perspective;
   scene.shading.interpolation = static_cast<Interpolation>(random.below(5) < 3 ? 2 : random.below(2));
-  scene.shading.lighting = static_cast<Lighting>(random.below(4));
+  scene.shading.lighting = static_cast<Lighting>(random.below(5));
+  scene.shading.terms.specular = random.below(6) != 0;
   scene.shading.normals = static_cast<NormalInterpolation>(random.below(3) == 0);
   scene.shading.two_sided = random.below(2) == 0;
   scene.shading.normalized = random.below(3) == 0;

@@ -57,7 +57,8 @@ TEST(SceneReader, RefusesWrongTypes) {
   EXPECT_EQ(error_with(R"("camera": {"eye": [1, 2, "3"]})"), "camera.eye[2]: found \"3\", expected a number");
   EXPECT_EQ(error_with(R"("camera": {"eye": "1,2,3"})"), "camera.eye: found \"1,2,3\", expected a list of three numbers [x, y, z]");
   EXPECT_EQ(error_with(R"("camera": {"fov": true})"), "camera.fov: found true, expected a number");
-  EXPECT_EQ(error_with(R"("shading": {"lighting": 1})"), "shading.lighting: found 1, expected a word (constant, lambert, phong, blinn-phong)");
+  EXPECT_EQ(error_with(R"("shading": {"lighting": 1})"),
+            "shading.lighting: found 1, expected a word (constant, lambert, phong, blinn-phong, ggx)");
   EXPECT_EQ(error_with(R"("shading": {"terms": "diffuse"})"),
             "shading.terms: found \"diffuse\", expected a list of words (ambient, diffuse, specular, emission)");
   EXPECT_EQ(error_with(R"("lights": {})"), "lights: found an empty table, expected a list");
@@ -117,7 +118,7 @@ TEST(SceneReader, RefusesBadColours) {
 
 TEST(SceneReader, RefusesUnknownWordsAndSuggestsTheNearest) {
   EXPECT_EQ(error_with(R"("shading": {"lighting": "blin-phong"})"),
-            "shading.lighting: unknown word \"blin-phong\", did you mean \"blinn-phong\"? (known: constant, lambert, phong, blinn-phong)");
+            "shading.lighting: unknown word \"blin-phong\", did you mean \"blinn-phong\"? (known: constant, lambert, phong, blinn-phong, ggx)");
   EXPECT_EQ(error_in_light(R"("type": "sun")"), "lights[2].type: unknown word \"sun\" (known: directional, point, spot)");
   EXPECT_EQ(error_with(R"("shading": {"terms": ["diffuse", "ambeint"]})"),
             "shading.terms[1]: unknown word \"ambeint\", did you mean \"ambient\"? (known: ambient, diffuse, specular, emission)");
@@ -178,7 +179,7 @@ TEST(SceneReader, EveryKeyOfTheTableRefusesAWrongTypeAtItsPath) {
       ++checked;
     }
   }
-  EXPECT_EQ(checked, 66);
+  EXPECT_EQ(checked, 68);
 }
 
 }  // namespace

@@ -48,7 +48,8 @@ TEST(SceneSchema, SaysRangesWordsAndWhatIsRequired) {
   EXPECT_EQ(definitions["light"]["properties"]["cutoff"]["maximum"], 90);
   EXPECT_EQ(definitions["camera"]["properties"]["fov"]["exclusiveMaximum"], 180);
   EXPECT_EQ(definitions["image"]["properties"]["samples"]["enum"], nlohmann::json::array({1, 2, 4, 8, 16}));
-  EXPECT_EQ(definitions["shading"]["properties"]["lighting"]["enum"], nlohmann::json::array({"constant", "lambert", "phong", "blinn-phong"}));
+  EXPECT_EQ(definitions["shading"]["properties"]["lighting"]["enum"],
+            nlohmann::json::array({"constant", "lambert", "phong", "blinn-phong", "ggx"}));
   EXPECT_EQ(definitions["matrix"]["minItems"], 16);
 }
 

@@ -28,7 +28,7 @@ TYPED_TEST(Words, AreUniqueExplainedAndReadBack) {
 }
 
 TEST(Words, CoverEveryValueOfTheirEnum) {
-  EXPECT_EQ(words_of<Lighting>().size(), 4U);
+  EXPECT_EQ(words_of<Lighting>().size(), 5U);
   EXPECT_EQ(words_of<Interpolation>().size(), 3U);
   EXPECT_EQ(words_of<NormalInterpolation>().size(), 2U);
   EXPECT_EQ(words_of<VertexNormals>().size(), 3U);
@@ -37,6 +37,8 @@ TEST(Words, CoverEveryValueOfTheirEnum) {
   EXPECT_EQ(words_of<Projection>().size(), 2U);
   EXPECT_EQ(words_of<ViewPreset>().size(), 8U);
   EXPECT_EQ(words_of<LightType>().size(), 3U);
+  EXPECT_EQ(words_of<SpotFade>().size(), 2U);
+  EXPECT_EQ(words_of<GltfShading>().size(), 2U);
   EXPECT_EQ(words_of<FogMode>().size(), 3U);
   EXPECT_EQ(term_words().size(), 4U);
 }
@@ -52,13 +54,16 @@ TEST(Words, AreTheWordsOfTheSceneFile) {
   EXPECT_EQ(word_of(Projection::orthographic), "orthographic");
   EXPECT_EQ(word_of(LightType::directional), "directional");
   EXPECT_EQ(word_of(FogMode::exp2), "exp2");
+  EXPECT_EQ(word_of(Lighting::ggx), "ggx");
+  EXPECT_EQ(word_of(SpotFade::quadratic), "quadratic");
+  EXPECT_EQ(word_of(GltfShading::classic), "classic");
 }
 
 TEST(Words, AnUnknownOneListsTheKnownAndSuggestsTheNearest) {
   EXPECT_EQ(parse_word<Lighting>("blin-phong").error().message,
-            "unknown word \"blin-phong\", did you mean \"blinn-phong\"? (known: constant, lambert, phong, blinn-phong)");
+            "unknown word \"blin-phong\", did you mean \"blinn-phong\"? (known: constant, lambert, phong, blinn-phong, ggx)");
   EXPECT_EQ(parse_word<Lighting>("Blinn_Phong").error().message,
-            "unknown word \"Blinn_Phong\", did you mean \"blinn-phong\"? (known: constant, lambert, phong, blinn-phong)");
+            "unknown word \"Blinn_Phong\", did you mean \"blinn-phong\"? (known: constant, lambert, phong, blinn-phong, ggx)");
   EXPECT_EQ(parse_word<Transfer>("linear").error().message, "unknown word \"linear\" (known: none, srgb)");
   EXPECT_EQ(parse_word<Transfer>("").error().kind, ErrorKind::usage);
 }

@@ -14,6 +14,7 @@
 #undef LAMBERT
 #undef PHONG
 #undef BLINN_PHONG
+#undef GGX
 #undef NORMALIZED
 #undef FLAT
 #undef GOURAUD

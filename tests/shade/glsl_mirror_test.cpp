@@ -53,9 +53,11 @@ void set_scene(Program& program, const Coefficients<float>& k, const Vec3f& ambi
       to.attenuation = to_glsl(from.attenuation);
       to.falloff = from.falloff;
       to.attenuation_limit = from.attenuation_limit;
+      to.range_scale = from.range_scale;
       to.cos_cutoff = from.cos_cutoff;
       to.cos_beam = from.cos_beam;
       to.beam_scale = from.beam_scale;
+      to.fades_quadratically = from.fade == SpotFade::quadratic;
       to.exponent = from.exponent.n;
     }
   }
@@ -133,6 +135,9 @@ TEST(GlslMirror, NormalizedPhongPerFragment) {
 }
 TEST(GlslMirror, NormalizedBlinnPhongPerFragment) {
   compare_fragments<NormalizedBlinnPhongFragment>(Lighting::blinn_phong, true, 100000);
+}
+TEST(GlslMirror, GgxPerFragment) {
+  compare_fragments<GgxFragment>(Lighting::ggx, false, 200000);
 }
 TEST(GlslMirror, LambertPerFragment) {
   compare_fragments<LambertFragment>(Lighting::lambert, false, 100000);

@@ -84,6 +84,19 @@ struct ConstantFragment : BuiltIns {
 };
 #include "shade/glsl_end.hpp"
 
+#define AMBIENT
+#define DIFFUSE
+#define SPECULAR
+#define EMISSION
+#define GGX
+#define PHONG_INTERPOLATION
+#define POSITION
+#include "shade/glsl_begin.hpp"
+struct GgxFragment : BuiltIns {
+#include "shade/fragment.glsl"
+};
+#include "shade/glsl_end.hpp"
+
 // Everything that a fragment can do at once.
 #define AMBIENT
 #define DIFFUSE

@@ -61,6 +61,12 @@ struct mat4 {
 inline Float dot(const vec3& a, const vec3& b) {
   return (a.x * b.x + a.y * b.y) + a.z * b.z;
 }
+inline vec3 cross(const vec3& a, const vec3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline Float abs(Float a) {
+  return std::abs(a.v);
+}
 inline Float sqrt(Float a) {
   return std::sqrt(a.v);
 }
@@ -72,6 +78,9 @@ inline Float exp2(Float a) {
 }
 inline Float min(Float a, Float b) {
   return b < a ? b : a;
+}
+inline vec3 min(const vec3& a, const vec3& b) {
+  return {min(a.x, b.x), min(a.y, b.y), min(a.z, b.z)};
 }
 inline Float max(Float a, Float b) {
   return a < b ? b : a;

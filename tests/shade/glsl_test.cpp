@@ -27,7 +27,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 std::vector<GlslOptions> all_options() {
   std::vector<GlslOptions> all;
-  for (Lighting lighting : {Lighting::constant, Lighting::lambert, Lighting::phong, Lighting::blinn_phong}) {
+  for (Lighting lighting : {Lighting::constant, Lighting::lambert, Lighting::phong, Lighting::blinn_phong, Lighting::ggx}) {
     for (Interpolation interpolation : {Interpolation::flat, Interpolation::gouraud, Interpolation::phong}) {
       for (bool rich : {false, true}) {
         all.push_back({.lighting = lighting,
@@ -97,6 +97,10 @@ TEST(GlslShader, HoldsTheChosenModelAlone) {
   EXPECT_THAT(blinn, HasSubstr("float n_dot_h("));
   EXPECT_THAT(blinn, Not(HasSubstr("r_dot_v")));
   EXPECT_THAT(blinn, Not(HasSubstr("reflect_about")));
+  const std::string ggx = fragment({.lighting = Lighting::ggx});
+  EXPECT_THAT(ggx, HasSubstr("Microfacets microfacets("));
+  EXPECT_THAT(ggx, Not(HasSubstr("specular_factor")));
+  EXPECT_THAT(blinn, Not(HasSubstr("microfacets")));
   EXPECT_THAT(fragment({.lighting = Lighting::lambert}), Not(HasSubstr("specular_factor")));
   EXPECT_THAT(fragment({.lighting = Lighting::constant}), Not(HasSubstr("light_count")));
 }
@@ -142,6 +146,10 @@ TEST(GlslShader, SumsTheChosenTermsOnly) {
   EXPECT_THAT(text, Not(HasSubstr("color += terms.ambient;")));
   EXPECT_THAT(text, Not(HasSubstr("color += terms.emission;")));
   EXPECT_THAT(text, Not(HasSubstr("specular_factor"))) << "without its term the highlight is not computed";
+  const std::string ggx =
+      fragment({.lighting = Lighting::ggx, .terms = {.ambient = false, .diffuse = true, .specular = false, .emission = false}});
+  EXPECT_THAT(ggx, Not(HasSubstr("color += terms.specular;")));
+  EXPECT_THAT(ggx, HasSubstr("microfacets(s, ")) << "which take their part from the diffuse one";
 }
 
 TEST(GlslShader, HasRoomForTheLightsAskedFor) {

@@ -86,7 +86,8 @@ TEST_P(GlslValidator, RefusesABrokenShader) {  // the validator is there and loo
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, GlslValidator,
-                         testing::Combine(testing::Values(Lighting::constant, Lighting::lambert, Lighting::phong, Lighting::blinn_phong),
+                         testing::Combine(testing::Values(Lighting::constant, Lighting::lambert, Lighting::phong, Lighting::blinn_phong,
+                                                          Lighting::ggx),
                                           testing::Values(Interpolation::flat, Interpolation::gouraud, Interpolation::phong)));
 
 }  // namespace

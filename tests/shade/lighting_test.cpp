@@ -390,6 +390,100 @@ TEST(Lighting, BeamAndExponentMultiply) {
   EXPECT_NEAR(spot_at(25, {.cutoff = 40, .beam = 10, .exponent = 3}) / faded, std::pow(cosine_of(25), 3), 3e-6);
 }
 
+TEST(Lighting, TheQuadraticFadeIsTheSquareBetweenTheCosines) {  // KHR_lights_punctual: saturate((cd - cos outer) / (cos inner - cos outer))^2
+  const ShadingLight light = textbook::ready({.type = LightType::spot, .cutoff = 60, .beam = 0, .fade = SpotFade::quadratic});
+  EXPECT_NEAR(spot_factor(light, 0.5F), 0, 1e-6F);
+  EXPECT_NEAR(spot_factor(light, 0.625F), 0.0625F, 1e-6F);
+  EXPECT_NEAR(spot_factor(light, 0.75F), 0.25F, 1e-6F);
+  EXPECT_NEAR(spot_factor(light, 1.0F), 1.0F, 1e-6F);
+}
+
+TEST(Lighting, TheRangeEndsALight) {  // 1/d^2 clamp(1 - (d/range)^4, 0, 1): at half the range 15/16 of it
+  const Attenuation khr{.falloff = 2, .unclamped = true, .range = 4};
+  EXPECT_NEAR(attenuation_of(2, khr), 0.25 * 15 / 16, 1e-7);
+  EXPECT_NEAR(attenuation_of(0.5, khr), 4 * (1 - 1.0 / 4096), 1e-6);
+  EXPECT_NEAR(attenuation_of(3.5, khr), (1 - std::pow(3.5 / 4, 4)) / (3.5 * 3.5), 1e-8);
+  EXPECT_EQ(attenuation_of(4, khr), 0.0F);
+  EXPECT_EQ(attenuation_of(5, khr), 0.0F);
+  EXPECT_EQ(attenuation_of(1e6, khr), 0.0F);
+  EXPECT_NEAR(attenuation_of(1, {.range = 2}), 15.0 / 16, 1e-7) << "of a light that does not attenuate otherwise, too";
+}
+
+// --- GGX: glTF 2.0, appendix B
+// ------------------------------------------------------------------------------------------------------------------
+
+TEST(Lighting, GgxFacingEverythingIsOneOverFourAlphaSquared) {  // N = L = V = H: pi D = 1/a, Vis = 1/4, F = k_s
+  Coefficients<float> k = white();
+  k.specular = {0.04F, 0.5F, 1};
+  for (const float n : {0.0F, 6.0F, 198.0F, 9998.0F}) {  // a = 1, 1/4, 1/100, 1/5000
+    k.shininess = n;
+    const Terms<float> terms = shine(Lighting::ggx, kFlatOnTheTable, k, {sun({0, 0, 1})});
+    const float lobe = (n + 2) / 8;
+    EXPECT_NEAR(terms.specular.x, 0.04F * lobe, 1e-5F * lobe) << n;
+    EXPECT_NEAR(terms.specular.y, 0.5F * lobe, 1e-5F * lobe) << n;
+    EXPECT_NEAR(terms.specular.z, lobe, 1e-5F * lobe) << n;
+    EXPECT_NEAR(terms.diffuse.x, 0.96F, 1e-6F) << n;  // (1 - F) k_d
+    EXPECT_NEAR(terms.diffuse.y, 0.5F, 1e-6F) << n;
+    EXPECT_EQ(terms.diffuse.z, 0.0F) << "a mirror has no diffuse light";
+  }
+}
+
+TEST(Lighting, GgxAtSixtyDegreesByHand) {
+  // L and V 60 degrees off N on either side: N.L = N.V = V.H = 1/2, N.H = 1; a = 1/4 (n = 6), k_s = 0.04.
+  // (1 - V.H)^5 = 1/32, F = 0.04 + 0.96/32 = 0.07; pi D = 4; sqrt(1/4 + 3/4 * 1/4) = sqrt(7)/4 = 0.6614378,
+  // Vis = 1 / (0.5 + 0.6614378)^2 = 0.7413198; F pi D Vis N.L = 0.07 * 4 * 0.7413198 / 2 = 0.1037848; (1 - F) N.L = 0.465
+  Coefficients<float> k = white(6);
+  k.specular = {0.04F, 0.04F, 0.04F};
+  const Terms<float> terms = shine(Lighting::ggx, surface({0, 0, 1}, leaning(60)), k, {sun(leaning(-60))});
+  EXPECT_NEAR(terms.specular.x, 0.1037848F, 1e-6F);
+  EXPECT_NEAR(terms.diffuse.x, 0.465F, 1e-6F);
+}
+
+TEST(Lighting, GgxTiltedByHand) {
+  // N = V = up, L 60 degrees off: H leans 30, N.H = V.H = sqrt(3)/2, N.L = 1/2; a = 1/4.
+  // pi D = (1/4) / (3/4 * (-3/4) + 1)^2 = 0.25 / 0.4375^2 = 1.3061224; (1 - 0.8660254)^5 = 4.3163e-5, F = 0.0400414
+  // Vis = 1 / ((0.5 + 0.6614378) (1 + 1)) = 0.4305008; F pi D Vis N.L = 0.0400414 * 1.3061224 * 0.4305008 / 2 = 0.0112574
+  Coefficients<float> k = white(6);
+  k.specular = {0.04F, 0.04F, 0.04F};
+  const Terms<float> terms = shine(Lighting::ggx, kFlatOnTheTable, k, {sun(leaning(60))});
+  EXPECT_NEAR(terms.specular.x, 0.0112574F, 3e-7F);
+  EXPECT_NEAR(terms.diffuse.x, (1 - 0.0400414F) / 2, 1e-6F);
+}
+
+TEST(Lighting, GgxGrazesWhite) {  // Schlick: at V.H = 0 everything reflects, whatever its colour
+  Coefficients<float> k = white(6);
+  k.specular = {0.04F, 0.5F, 0};
+  const Terms<float> terms = shine(Lighting::ggx, surface({0, 0, 1}, leaning(89.99)), k, {sun(leaning(-89.99))});
+  EXPECT_NEAR(terms.specular.x / terms.specular.y, 1, 2e-3);
+  EXPECT_NEAR(terms.specular.z / terms.specular.y, 1, 3e-3);
+  EXPECT_LT(terms.diffuse.x, 1e-6F);
+}
+
+TEST(Lighting, GgxIsDarkBehindAndFiniteEverywhere) {
+  for (const float n : {0.0F, 50.0F, 10000.0F}) {
+    for (int degrees : {90, 91, 120, 180}) {
+      const Terms<float> terms = shine(Lighting::ggx, kFlatOnTheTable, white(n), {sun(leaning(degrees + 0.001))});
+      EXPECT_EQ(terms.specular.x, 0.0F) << degrees;
+      EXPECT_EQ(terms.diffuse.x, 0.0F) << degrees;
+    }
+    for (int eye = 0; eye < 360; eye += 5) {  // also where the eye looks at the back, and where L and V are opposite
+      const Terms<float> terms =
+          shine(Lighting::ggx, surface({0, 0, 1}, leaning(eye)), white(n), {sun(leaning(30)), bulb(0), sun(-leaning(eye))});
+      EXPECT_TRUE(std::isfinite(terms.sum().x)) << eye;
+      EXPECT_GE(terms.specular.x, 0.0F) << eye;
+    }
+  }
+}
+
+TEST(Lighting, GgxCountsSpecularAboveOneAsOne) {
+  Coefficients<float> k = white(20);
+  const auto with = [&](float specular) {
+    k.specular = {specular, specular, specular};
+    return shine(Lighting::ggx, surface(leaning(5), leaning(40)), k, {sun(leaning(-30))}).sum();
+  };
+  EXPECT_EQ(with(1), with(7));
+}
+
 // --- many lights ------------------------------------------------------------------------------------------------------------------------------
 
 TEST(Lighting, LightsAddUp) {

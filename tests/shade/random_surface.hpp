@@ -48,8 +48,8 @@ class RandomSurface {
   }
 
   Lighting model() {
-    constexpr Lighting kModels[] = {Lighting::constant, Lighting::lambert, Lighting::phong, Lighting::blinn_phong};
-    return kModels[below(4)];
+    constexpr Lighting kModels[] = {Lighting::constant, Lighting::lambert, Lighting::phong, Lighting::blinn_phong, Lighting::ggx};
+    return kModels[below(5)];
   }
 
   /// Of any type, bright or dim, most spots aimed at the place where the surfaces are.
@@ -74,9 +74,13 @@ class RandomSurface {
       out.attenuation.linear = wide(0, 0.5F);
       out.attenuation.quadratic = wide(0, 0.3F);
     }
+    if (chance(0.3F)) {
+      out.attenuation.range = wide(1, 20);
+    }
     out.cutoff = wide(10, 90);
     if (chance(0.5F)) {
       out.beam = out.cutoff * 0.9 * static_cast<double>(unit());
+      out.fade = chance(0.5F) ? SpotFade::quadratic : SpotFade::smoothstep;
     }
     out.exponent = static_cast<double>(exponent(60, 128));
     return out;

@@ -30,7 +30,7 @@ inline double attenuation(const Light& light, double d) {
   }
   const Attenuation& a = light.attenuation;
   const double f = a.falloff ? 1 / std::pow(d, *a.falloff) : 1 / (a.constant + a.linear * d + a.quadratic * d * d);
-  return a.unclamped ? f : std::min(f, 1.0);
+  return (a.unclamped ? f : std::min(f, 1.0)) * (a.range ? std::clamp(1 - std::pow(d / *a.range, 4), 0.0, 1.0) : 1);
 }
 
 /// s, for a point towards which the light's ray makes an angle of cosine cs with the axis of the spot.
@@ -44,7 +44,7 @@ inline double spot(const Light& light, double cs) {
   double s = raise(cs, light.exponent);
   if (light.beam) {
     const double t = std::clamp((cs - cosine_of(light.cutoff)) / (cosine_of(*light.beam) - cosine_of(light.cutoff)), 0.0, 1.0);
-    s *= t * t * (3 - 2 * t);
+    s *= light.fade == SpotFade::quadratic ? t * t : t * t * (3 - 2 * t);
   }
   return s;
 }
@@ -57,6 +57,29 @@ struct Point {
 /// What makes the lobe's albedo 1 at normal incidence (Lafortune and Willems 1994; its analogue for N.H), in units where white is 1.
 inline double normalization(Lighting model, double n) {
   return model == Lighting::phong ? (n + 2) / 2 : (n + 2) * (n + 4) / (8 * (std::pow(2, -n / 2) + n));
+}
+
+/// glTF 2.0, appendix B: its metallic-roughness BRDF with c_diff = k_d, f0 = k_s, alpha^2 = 2 / (n + 2), times N.L and, for classic units, pi.
+struct Microfacet {
+  Vec3d diffuse, specular;
+};
+inline Microfacet microfacet(const Vec3d& n, const Vec3d& l, const Vec3d& v, const Vec3d& k_d, const Vec3d& k_s, double exponent) {
+  const double n_dot_l = dot(n, l);
+  if (n_dot_l <= 0) {
+    return {};
+  }
+  const Vec3d h = normalize(l + v);
+  const double a2 = 2 / (exponent + 2);
+  const double n_dot_h = dot(n, h);
+  const double n_dot_v = std::abs(dot(n, v));
+  const double d = a2 / (kPi * std::pow(n_dot_h * n_dot_h * (a2 - 1) + 1, 2));
+  const auto g = [&](double c) { return 2 * c / (c + std::sqrt(a2 + (1 - a2) * c * c)); };
+  const double visibility = g(n_dot_l) * g(n_dot_v) / (4 * n_dot_l * n_dot_v);
+  const double x = std::pow(1 - std::abs(dot(v, h)), 5);
+  const Vec3d one{1, 1, 1};
+  const Vec3d f0{std::min(k_s.x, 1.0), std::min(k_s.y, 1.0), std::min(k_s.z, 1.0)};
+  const Vec3d f = f0 + (one - f0) * x;
+  return {k_d * (one - f) * n_dot_l, f * (kPi * d * visibility * n_dot_l)};
 }
 
 struct Result {
@@ -78,6 +101,13 @@ inline Result light(Lighting model, const Point& p, const Coefficients<double>& 
     const double n_dot_l = dot(p.normal, l);
     const Vec3d r = 2 * n_dot_l * p.normal - l;
     const Vec3d h = normalize(l + p.to_eye);
+    if (model == Lighting::ggx) {
+      const Microfacet facets = microfacet(p.normal, l, p.to_eye, k.diffuse, k.specular, static_cast<double>(k.shininess.n));
+      result.ambient += k.ambient * vec_cast<double>(light.ambient.rgb) * fs;
+      result.diffuse += facets.diffuse * vec_cast<double>(light.diffuse.rgb) * fs;
+      result.specular += facets.specular * vec_cast<double>(light.specular.rgb) * fs;
+      continue;
+    }
     double spec = 0;
     if (model != Lighting::lambert && n_dot_l > 0) {
       spec = raise(model == Lighting::phong ? dot(r, p.to_eye) : dot(p.normal, h), static_cast<double>(k.shininess.n));
@@ -108,8 +138,10 @@ inline ShadingLight ready(const Light& light) {
     out.falloff = static_cast<float>(p);
   }
   out.attenuation_limit = a.unclamped ? 1e30F : 1.0F;
+  out.range_scale = a.range ? static_cast<float>(1 / *a.range) : 0;
   out.cos_cutoff = static_cast<float>(light.cutoff == 90 ? 0 : cosine_of(light.cutoff));
   if (light.beam) {
+    out.fade = light.fade;
     out.cos_beam = static_cast<float>(cosine_of(*light.beam));
     out.beam_scale = static_cast<float>(1 / (cosine_of(*light.beam) - cosine_of(light.cutoff)));
   }

@@ -123,13 +123,14 @@ class Judge {
       vertex_color = mix([&](std::size_t i) { return linear(mesh.colors[corners_[i]], scene_.image.transfer == Transfer::srgb); }, weights);
     }
     const TermSet& terms = scene_.shading.terms;
+    const Lighting lighting = material.lighting.value_or(scene_.shading.lighting);
     const Vec3d black{};
     return {.ambient = terms.ambient ? in_light(material.ambient) * vertex_color : black,
             .diffuse = terms.diffuse ? in_light(material.diffuse) * vertex_color : black,
-            .specular = terms.specular ? in_light(material.specular) : black,
+            .specular = terms.specular || lighting == Lighting::ggx ? in_light(material.specular) : black,
             .emission = terms.emission ? in_light(material.emission) : black,
             .shininess = static_cast<double>(material.shininess),
-            .lighting = material.lighting.value_or(scene_.shading.lighting)};
+            .lighting = lighting};
   }
 
   /// I = k_e + k_a I_a + sum_i f_i s_i [ k_a l_a + k_d l_d max(N.L, 0) + k_s l_s spec ]
@@ -146,7 +147,9 @@ class Judge {
       const double strength = is_directional ? 1 : attenuation(light.attenuation, length(light.position - point)) * spot(light, to_light);
       const double n_dot_l = dot(normal, to_light);
       Vec3d part = k.ambient * in_light(light.ambient) + k.diffuse * in_light(light.diffuse) * std::max(n_dot_l, 0.0);
-      if (n_dot_l > 0) {
+      if (k.lighting == Lighting::ggx) {
+        part = k.ambient * in_light(light.ambient) + microfacets(k, light, normal, to_light, to_eye);
+      } else if (n_dot_l > 0) {
         part = part + k.specular * in_light(light.specular) * highlight(k, normal, to_light, to_eye, n_dot_l);
       }
       sum = sum + part * strength;
@@ -154,9 +157,30 @@ class Judge {
     return sum;
   }
 
+  /// glTF 2.0, appendix B.2.3 and B.3, times pi; the metallic mix is stated by the coefficients. The specular term's switch takes l_s alone.
+  [[nodiscard]] Vec3d microfacets(const Coefficients& k, const Light& light, const Vec3d& n, const Vec3d& l, const Vec3d& v) const {
+    const double n_dot_l = dot(n, l);
+    if (n_dot_l <= 0) {
+      return {};
+    }
+    const Vec3d h = unit(l + v);
+    const double a = 2 / (k.shininess + 2);
+    const auto smith = [a](double c) { return 2 * c / (c + std::sqrt(a + (1 - a) * c * c)); };
+    const double n_dot_v = std::max(std::abs(dot(n, v)), 1e-12);
+    const double g = smith(n_dot_l) * smith(n_dot_v);
+    const double d = a / (kPi * std::pow(dot(n, h) * dot(n, h) * (a - 1) + 1, 2));
+    const double x = std::pow(1 - std::abs(dot(v, h)), 5);
+    const Vec3d one{1, 1, 1};
+    const Vec3d f0{std::min(k.specular.x, 1.0), std::min(k.specular.y, 1.0), std::min(k.specular.z, 1.0)};
+    const Vec3d f = f0 * (1 - x) + one * x;
+    const Vec3d l_s = scene_.shading.terms.specular ? in_light(light.specular) : Vec3d{};
+    return k.diffuse * in_light(light.diffuse) * (one - f) * n_dot_l + l_s * f * (kPi * d * g / (4 * n_dot_l * n_dot_v) * n_dot_l);
+  }
+
   static double attenuation(const Attenuation& a, double d) {
     const double f = a.falloff ? 1 / std::pow(d, *a.falloff) : 1 / (a.constant + a.linear * d + a.quadratic * d * d);
-    return a.unclamped ? f : std::min(f, 1.0);
+    const double limited = a.unclamped ? f : std::min(f, 1.0);
+    return a.range ? limited * std::clamp(1 - std::pow(d / *a.range, 4), 0.0, 1.0) : limited;
   }
 
   static double spot(const Light& light, const Vec3d& to_light) {
@@ -168,9 +192,10 @@ class Judge {
       return 0;
     }
     double s = std::pow(cs, light.exponent);
-    if (light.beam) {  // reading: the beam's fade multiplies the exponent's
-      const double t = std::clamp((cs - cosine(light.cutoff)) / (cosine(*light.beam) - cosine(light.cutoff)), 0.0, 1.0);
-      s *= t * t * (3 - 2 * t);
+    if (light.beam) {                                                      // reading: the beam's fade multiplies the exponent's
+      const double least = light.fade == SpotFade::quadratic ? 0.001 : 0;  // KHR_lights_punctual divides by max(0.001, ...)
+      const double t = std::clamp((cs - cosine(light.cutoff)) / std::max(cosine(*light.beam) - cosine(light.cutoff), least), 0.0, 1.0);
+      s *= light.fade == SpotFade::quadratic ? t * t : t * t * (3 - 2 * t);
     }
     return s;
   }

@@ -189,6 +189,8 @@ const char* word(Lighting model) {
       return "lambert";
     case Lighting::phong:
       return "phong";
+    case Lighting::ggx:
+      return "ggx";
     case Lighting::blinn_phong:
       break;
   }

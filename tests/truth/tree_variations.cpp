@@ -375,6 +375,55 @@ void add_picture(Branch& branch) {
   });
 }
 
+/// GGX at every place of the equation, with every term missing once, and with every width of the lobe.
+void add_microfacets(Branch& branch) {
+  const auto ggx = [](Scene& scene) { scene.shading.lighting = Lighting::ggx; };
+  for (std::size_t place = 0; place < 3; ++place) {
+    branch.add_all("ggx/place_" + std::to_string(place), place, "", ggx);
+  }
+  const std::array<std::pair<const char*, TermSet>, 3> term_sets{
+      {{"no_diffuse", {true, false, true, true}}, {"no_specular", {true, true, false, true}}, {"only_specular", {false, false, true, false}}}};
+  for (const auto& [name, terms] : term_sets) {
+    branch.add_all(std::string("ggx/terms/") + name, 0, "", [&, terms = terms](Scene& scene) {
+      ggx(scene);
+      scene.shading.terms = terms;
+    });
+  }
+  for (const float shininess : {0.0F, 0.5F, 2.0F, 60.5F, 1000.0F, 10000.0F}) {
+    branch.add("ggx/shininess/" + std::to_string(static_cast<int>(shininess * 10)), 2, Projection::perspective, "", [&](Scene& scene) {
+      ggx(scene);
+      for (Object& object : scene.objects) {
+        object.material->shininess = shininess;
+      }
+    });
+  }
+  branch.add_all("ggx/mirrors", 1, "", [&](Scene& scene) {  // all that comes is reflected, and of the cube more than comes
+    ggx(scene);
+    scene.objects[0].material->specular = {{1.5F, 1, 0.5F}};
+    scene.objects[1].material->specular = {{1, 1, 1}};
+  });
+}
+
+/// What KHR_lights_punctual adds to a light.
+void add_light_ends(Branch& branch) {
+  for (const double range : {0.9, 1.6, 4.0}) {
+    branch.add_all("lights/range_" + std::to_string(static_cast<int>(range * 10)), 0, "", [=](Scene& scene) {
+      for (Light& light : *scene.lights) {
+        light.attenuation.range = range;
+      }
+    });
+  }
+  for (const double beam : {0.0, 20.0, 41.99}) {  // of the last the cosines lie nearer than 0.001
+    branch.add_all("lights/quadratic_" + std::to_string(static_cast<int>(beam)), 0, "", [=](Scene& scene) {
+      for (Light& light : *scene.lights) {
+        light.cutoff = 42;
+        light.beam = beam;
+        light.fade = SpotFade::quadratic;
+      }
+    });
+  }
+}
+
 }  // namespace
 
 void add_variations(std::vector<TreeScene>& tree) {
@@ -386,6 +435,8 @@ void add_variations(std::vector<TreeScene>& tree) {
   add_surfaces(branch);
   add_picture(branch);
   add_culling(branch);
+  add_microfacets(branch);
+  add_light_ends(branch);
 }
 
 }  // namespace lustro::truth
