@@ -251,16 +251,16 @@ Microfacets microfacets(Surface s, float a, vec3 to_light, float n_dot_l) {
 //   D   = a / ((N.H)^2 (a - 1) + 1)^2
 //   Vis = 1 / ((N.L + sqrt(a + (1 - a) (N.L)^2)) (|N.V| + sqrt(a + (1 - a) (N.V)^2)))
 LightTerms reflect_light(Surface s, Coefficients k, ShadingLight light, Incident incident) {
-  float strength = incident.attenuation * incident.spot;
+  float share = incident.attenuation * incident.spot;
   float n_dot_l = dot(s.normal, incident.to_light);
   LightTerms part;
-  part.ambient = (k.ambient * light.ambient) * strength;
+  part.ambient = (k.ambient * light.ambient) * share;
   Microfacets facets = microfacets(s, 2.0 / (k.shininess + 2.0), incident.to_light, n_dot_l);
   vec3 facing = min(k.specular, vec3(1.0));
   vec3 not_facing = vec3(1.0) - facing;
   vec3 fresnel = facing + not_facing * facets.grazing;
-  part.diffuse = ((k.diffuse * light.diffuse) * (strength * max(n_dot_l, 0.0))) * (not_facing * (1.0 - facets.grazing));
-  part.specular = (light.specular * fresnel) * (strength * facets.lobe);
+  part.diffuse = ((k.diffuse * light.diffuse) * (share * max(n_dot_l, 0.0))) * (not_facing * (1.0 - facets.grazing));
+  part.specular = (light.specular * fresnel) * (share * facets.lobe);
   return part;
 }
 #else

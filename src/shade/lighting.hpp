@@ -225,12 +225,12 @@ struct Microfacets {
 /// The microfacets' part of reflect_ggx(). D's (N.H)^2 (a - 1) + 1 is a (N.H)^2 + |N x H|^2, which does not cancel where the lobe is narrow.
 template <class F, class A>
 LUSTRO_INLINE Microfacets<F> microfacets(const Surface<F>& s, const A& a, const Vec3<F>& to_light, const F& n_dot_l) {
-  const Vec3<F> sum = to_light + s.to_eye;
-  const F square = lane_max(dot(sum, sum), F(1e-12F));  // below it L and V are opposite, and H does not exist
-  const F from_grazing = lane_max(F(1) - lane_abs(dot(s.to_eye, sum)) / square_root(square), F(0));
+  const Vec3<F> both = to_light + s.to_eye;
+  const F square = lane_max(dot(both, both), F(1e-12F));  // below it L and V are opposite, and H does not exist
+  const F from_grazing = lane_max(F(1) - lane_abs(dot(s.to_eye, both)) / square_root(square), F(0));
   const F from_grazing2 = from_grazing * from_grazing;
-  const F along = dot(s.normal, sum);
-  const Vec3<F> across = cross(s.normal, sum);
+  const F along = dot(s.normal, both);
+  const Vec3<F> across = cross(s.normal, both);
   const F spread = lane_max((F(a) * (along * along) + dot(across, across)) / square, F(a));
   const F n_dot_v = lane_abs(dot(s.normal, s.to_eye));
   const F masking_l = n_dot_l + square_root(F(a) + F(A(1) - a) * (n_dot_l * n_dot_l));
@@ -250,9 +250,9 @@ template <class F, class K, class N>
 LUSTRO_INLINE LightTerms<F> reflect_ggx(const Surface<F>& s, const Reflection<K>& k, const Vec3<K>& specular, const Vec3f& light_specular,
                                         const N& shininess, const Incident<F>& in) {
   using A = std::remove_cvref_t<decltype(shininess.n)>;
-  const F strength = in.attenuation * in.spot;
+  const F share = in.attenuation * in.spot;
   const F n_dot_l = dot(s.normal, in.to_light);
-  LightTerms<F> part{vec_cast<F>(k.ambient) * strength, {}, {}};
+  LightTerms<F> part{vec_cast<F>(k.ambient) * share, {}, {}};
   if (!any_of(n_dot_l > F(0))) {
     return part;
   }
@@ -260,8 +260,8 @@ LUSTRO_INLINE LightTerms<F> reflect_ggx(const Surface<F>& s, const Reflection<K>
   const Vec3<F> facing = vec_cast<F>(Vec3<K>{lane_min(specular.x, K(1)), lane_min(specular.y, K(1)), lane_min(specular.z, K(1))});
   const Vec3<F> not_facing = Vec3<F>{F(1), F(1), F(1)} - facing;
   const Vec3<F> fresnel = facing + not_facing * facets.grazing;
-  part.diffuse = (vec_cast<F>(k.diffuse) * (strength * lane_max(n_dot_l, F(0)))) * (not_facing * (F(1) - facets.grazing));
-  part.specular = (vec_cast<F>(light_specular) * fresnel) * (strength * facets.lobe);
+  part.diffuse = (vec_cast<F>(k.diffuse) * (share * lane_max(n_dot_l, F(0)))) * (not_facing * (F(1) - facets.grazing));
+  part.specular = (vec_cast<F>(light_specular) * fresnel) * (share * facets.lobe);
   return part;
 }
 

@@ -248,7 +248,7 @@ TEST(WriteMesh, WhatAFormatCannotHoldIsSaid) {
   EXPECT_THAT(said("m.STL"), ElementsAre("STL holds triangles alone: texture coordinates, opacities, materials are left out"));
   EXPECT_THAT(said("m.obj"), ElementsAre("OBJ holds no opacities of vertices: they are left out",
                                          "OBJ holds one set of texture coordinates: the second is left out",
-                                         "MTL does not tell Phong from Blinn: the lighting of 1 materials is left out"));
+                                         "MTL does not tell Phong, Blinn and GGX apart: the lighting of 1 materials is left out"));
 }
 
 TEST(WriteMesh, AMeshThatContradictsItselfIsNotWritten) {
