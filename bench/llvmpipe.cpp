@@ -10,8 +10,8 @@
 #include <cstdlib>
 
 #include "common/frames.hpp"
+#include "common/gl_canvas.hpp"
 #include "common/measure.hpp"
-#include "peers/gl_glsl.cpp"  // NOLINT(bugprone-suspicious-include): its programs and uniforms are what is used here
 
 namespace lustro::bench {
 namespace {
@@ -47,55 +47,9 @@ void main() {{
                      two_sided ? "if (!gl_FrontFacing) n = -n;" : "");
 }
 
-GLuint linked(const std::string& vertex, const std::string& fragment) {
-  const GLuint program = glCreateProgram();
-  glAttachShader(program, peers::compile(GL_VERTEX_SHADER, vertex));
-  glAttachShader(program, peers::compile(GL_FRAGMENT_SHADER, fragment));
-  glLinkProgram(program);
-  GLint is_linked = 0;
-  glGetProgramiv(program, GL_LINK_STATUS, &is_linked);
-  if (is_linked == 0) {
-    throw std::runtime_error("shaders do not link");
-  }
-  return program;
-}
-
 Vec3d times(const Vec3d& a, const Vec3d& b) {
   return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
-
-/// A framebuffer of renderbuffers.
-class Canvas {
- public:
-  Canvas(int width, int height, int samples) {
-    glGenFramebuffers(1, &name);
-    glBindFramebuffer(GL_FRAMEBUFFER, name);
-    attach(GL_COLOR_ATTACHMENT0, GL_RGBA8, width, height, samples);
-    attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, width, height, samples);
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-      throw std::runtime_error("llvmpipe has no such framebuffer");
-    }
-  }
-  GLuint name = 0;
-
- private:
-  static void attach(GLenum where, GLenum format, int width, int height, int samples) {
-    GLuint buffer = 0;
-    glGenRenderbuffers(1, &buffer);
-    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-    if (samples > 1) {
-      glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
-      GLint given = 0;
-      glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_SAMPLES, &given);
-      if (given != samples) {
-        throw std::runtime_error("llvmpipe gives another number of samples");
-      }
-    } else {
-      glRenderbufferStorage(GL_RENDERBUFFER, format, width, height);
-    }
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, where, GL_RENDERBUFFER, buffer);
-  }
-};
 
 enum class Shaders { mirror, plain };
 
@@ -169,29 +123,9 @@ class PeerFrames {
     glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, bytes_.data());
   }
 
-  /// What draw_and_read() read, the top row first.
-  [[nodiscard]] ByteImage picture() const {
-    if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
-      throw std::runtime_error(fmt::format("OpenGL error {}", error));
-    }
-    ByteImage image{width_, height_, 4, {}};
-    const std::size_t row = static_cast<std::size_t>(width_) * 4;
-    for (auto y = static_cast<std::size_t>(height_); y-- > 0;) {
-      const auto* begin = bytes_.data() + y * row;
-      image.pixels.insert(image.pixels.end(), begin, begin + row);
-    }
-    return image;
-  }
+  [[nodiscard]] ByteImage picture() const { return picture_of(bytes_, width_, height_); }
 
  private:
-  template <class T>
-  static void upload(GLenum target, const std::vector<T>& values) {
-    GLuint buffer = 0;
-    glGenBuffers(1, &buffer);
-    glBindBuffer(target, buffer);
-    glBufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), GL_STATIC_DRAW);
-  }
-
   void set_plain(const peers::Uniforms& uniforms) const {
     const auto light_of = [](const Color& c) { return truth::light_of(c, Transfer::none); };
     const Material& material = *scene_.objects.front().material;
