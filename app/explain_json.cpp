@@ -80,6 +80,7 @@ Json fragment_json(const FragmentExplanation& fragment) {
           {"coefficients", json_material(fragment.coefficients)},
           {"maps", maps},
           {"shadings", shadings},
+          {"reflection", json_vector(fragment.reflection)},
           {"ambient", json_vector(fragment.ambient)},
           {"diffuse", json_vector(fragment.diffuse)},
           {"specular", json_vector(fragment.specular)},

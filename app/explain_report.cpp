@@ -188,6 +188,9 @@ std::string fragment_text(const PreparedScene& scene, const Explanation& explana
   for (std::size_t i = 0; i < fragment.shadings.size(); ++i) {
     text += shading_text(scene, explanation, fragment, fragment.shadings[i], i);
   }
+  if (fragment.reflection != Vec3f{}) {
+    text += row(2, "reflection", fragment.reflection, "k_s times the reflection map: more of specular");
+  }
   if (fragment.fog_factor != 1) {
     text += row(2, "fog", fragment.fog, fmt::format("the surface counts {}", number(fragment.fog_factor)));
   }

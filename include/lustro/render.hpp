@@ -26,14 +26,14 @@ enum class AovKind : std::uint8_t {
   fog,
   background,
   light,         ///< one light's ambient + diffuse + specular; `light:0`, `light:1`, ..., `light:*`
-  scene,         ///< the scene's ambient light and emission: what no light brings
+  scene,         ///< the scene's ambient light, emission and reflection maps: what no light brings
   depth,         ///< distance along the view direction, world units; infinity on the background
   normal,        ///< the normal that was lit, world, unit; 0 on the background
   position,      ///< world
   albedo,        ///< k_d, linear
   object,        ///< index of the object; -1 on the background
   material,      ///< index into PreparedScene's materials; -1 on the background
-  triangle,      ///< index within the object's mesh; -1 on the background
+  triangle,      ///< index within the object's mesh, of a displaced one as it is subdivided; -1 on the background
   barycentrics,  ///< perspective-correct weights of the triangle's three vertices
   mask,          ///< share of the pixel that is covered: samples, each by what its surfaces hide together
 };
@@ -182,6 +182,7 @@ struct FragmentExplanation {
   Material coefficients;  ///< linear, as the maps leave them
   std::vector<MapExplanation> maps;
   std::vector<ShadingExplanation> shadings;
+  Vec3f reflection;                                 ///< k_s times the reflection map, before fog: part of specular
   Vec3f ambient, diffuse, specular, emission, fog;  ///< of the fragment
   float fog_factor = 1;
 };

@@ -76,13 +76,17 @@ struct TextureUse {
   friend bool operator==(const TextureUse&, const TextureUse&) = default;
 };
 
-/// How reflection maps surround the surface, infinitely far away.
+/// How reflection maps surround the surface, infinitely far away. World directions; (0, 0) is a picture's top left.
 enum class ReflectionShape : std::uint8_t {
-  sphere,  ///< one picture: longitude along u (its middle is seen along -z), latitude along v (its top is +y)
-  cube,    ///< six pictures
+  sphere,  ///< one picture: u = 1/2 + atan2(x, -z) / 2 pi, v = arccos(y) / pi: its middle is seen along -z, its top along +y, its right along +x
+  cube,  ///< six pictures, as OpenGL has them (4.6, table 8.19): seen from outside the cube each is upright and not mirrored, +y up; right is -z
+         ///< on +x, +z on -x, and +x on +y, whose top is -z, on -y, whose top is +z, and on +z; -x on -z
 };
 
-/// What a mirroring surface shows: k_s times the maps' colour in the direction in which the view is reflected.
+/// What a mirroring surface shows: k_s times the maps' colour in the direction in which the view is reflected about the lit normal.
+///
+/// Of a TextureUse the texture, filters, gain, base and uv_matrix count, the last one in the picture's own coordinates (the identity shows it
+/// upright, whatever the mesh's coordinates are). A face that is missing is black.
 struct ReflectionMap {
   ReflectionShape shape = ReflectionShape::sphere;
   std::array<std::optional<TextureUse>, 6> faces{};  ///< sphere: the first; cube: right, left, top, bottom, front, back (+x -x +y -y +z -z)

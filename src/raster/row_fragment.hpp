@@ -208,6 +208,7 @@ struct Batch {
 struct Mapped {
   std::array<Footprint<Float>, 2> at;
   MapFactors<Float> factors;
+  Vec3<Float> reflection;  // what is seen in the mirrored view, where there is a reflection map
 };
 
 /// `count` fragments from `begin` on. Lanes beyond them calculate the first one again.
@@ -247,7 +248,7 @@ HWY_INLINE Batch make_batch(const Frame& frame, const TileScratch& s, const Tile
     }
   }
   Vec3<Float> normal{};
-  if (scene.shading.interpolation == Interpolation::phong || frame.wants_all) {
+  if (scene.shading.interpolation == Interpolation::phong || frame.wants_all || HWY_UNLIKELY(material.maps.reflects)) {
     normal = scene.shading.interpolation == Interpolation::flat ? faces.face_normal() : faces.normal_at(scene.shading.normals, at.weights);
   }
   Batch batch{at, faces, scene.view.point_at(at.x, at.y, at.depth), normal, {}};
@@ -276,6 +277,10 @@ inline HWY_NOINLINE void look_up_maps(Batch& batch, Mapped& mapped) {
   mapped.factors = map_factors<LaneFetch>(maps, mapped.at);
   if (maps.changes_normal()) {
     batch.normal = mapped_normal<LaneFetch>(faces, faces.scene.shading.normals, batch.at.weights, batch.slopes, mapped.at, batch.normal);
+  }
+  if (HWY_UNLIKELY(maps.reflects)) {
+    mapped.reflection = look_up_reflection<LaneFetch>(
+        faces.material.reflection, mirrored_view_on(faces, batch.at.weights, batch.slopes, batch.at.x, batch.at.y, batch.normal));
   }
 }
 

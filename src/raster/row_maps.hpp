@@ -56,14 +56,15 @@ struct MapStrip {
   [[nodiscard]] HWY_INLINE Vec3<Float> rgb_at(std::size_t i) const { return {load(&value[0][i]), load(&value[1][i]), load(&value[2][i])}; }
 };
 
-/// Whether a strip goes map by map. Several looks along a footprint, and heights, of which a slope takes four, go fragment by fragment.
+/// Whether a strip goes map by map. Several looks along a footprint, heights, of which a slope takes four, and reflections, which follow from
+/// the other maps' normal, go fragment by fragment.
 HWY_INLINE bool goes_by_maps(const ShadingMaps& maps) {
   for (std::size_t kind = 0; kind < kMapKinds; ++kind) {
     if ((maps.present >> kind & 1U) != 0 && maps.maps[kind].sampler.anisotropy > 1) {
       return false;
     }
   }
-  return !maps.has(MapKind::bump);
+  return !maps.has(MapKind::bump) && !maps.reflects;
 }
 
 template <std::size_t kSize>
@@ -230,6 +231,9 @@ inline HWY_NOINLINE void make_surfaces_by_batches(const Run& run, Strip& strip) 
     Coefficients<Float> k = tinted(run.material.coefficients, batch.faces.tint(batch.at.weights));
     apply_factors(maps, mapped.factors, k);
     put_coefficients(strip, i, k);
+    if (maps.reflects) {
+      Strip::put(strip.reflection, i, reflected_surroundings(run.material.coefficients.specular, mapped.factors, mapped.reflection));
+    }
     if (maps.has(MapKind::shininess)) {
       store(&strip.shininess[i], textured_shininess<LaneFetch>(maps, mapped.at, k.shininess.n).n);
     }

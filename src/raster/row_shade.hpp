@@ -219,6 +219,9 @@ HWY_INLINE void light_surfaces(const Run& run, const Strip& strip, Visit&& visit
       } else {
         terms = evaluate(scene, material, surface, k, nullptr, ignore).terms;
       }
+      if (material.maps.reflects) {
+        terms.specular += Strip::get(strip.reflection, i);
+      }
     } else if (has_tint) {
       terms = evaluate(scene, material, surface, tinted(material.coefficients, Strip::get(strip.tint, i)), nullptr, ignore).terms;
     } else {
@@ -254,6 +257,15 @@ inline HWY_NOINLINE void light_parts(const Run& run, const Strip& strip) {
   });
 }
 
+/// reference/fragment.cpp: add_reflection()
+HWY_INLINE void add_reflection(const ShadingMaterial& material, const Mapped& mapped, Shaded& shaded) {
+  if (HWY_UNLIKELY(material.maps.reflects)) {
+    const Vec3<Float> part = reflected_surroundings(material.coefficients.specular, mapped.factors, mapped.reflection);
+    shaded.terms.specular += part;
+    shaded.scene_part += part;
+  }
+}
+
 /// Flat and Gouraud interpolation light faces and their vertices.
 inline HWY_NOINLINE void light_faces(const Run& run, Strip& strip) {
   const PreparedScene& scene = *run.frame.scene;
@@ -267,6 +279,7 @@ inline HWY_NOINLINE void light_faces(const Run& run, Strip& strip) {
     const OutputSlot no_output{run.s, 0};
     Shaded shaded = scene.shading.interpolation == Interpolation::flat ? shade_flat(batch.faces, mapped, false, no_output)
                                                                        : shade_gouraud(batch.faces, batch.at.weights, mapped, false, no_output);
+    add_reflection(run.material, maps, shaded);
     Strip::put(strip.color, i, sum_whole(scene, batch.position, shaded.terms));
   }
 }
@@ -330,6 +343,7 @@ inline HWY_NOINLINE void shade_all(const Run& run, std::size_t i) {
       });
       break;
   }
+  add_reflection(run.material, maps, shaded);
   Vec3<Float> fog{};
   if (scene.fog) {
     Float clear;

@@ -34,6 +34,8 @@ struct Mapped {
   WeightSlopes<float> slopes{};
   std::array<Footprint<float>, 2> at{};
   MapFactors<float> factors;
+  DirectionSlopes<float> mirrored{};  // the view, where there is a reflection map
+  Vec3f reflection;                   // what is seen there
 };
 
 Coefficients<float> tinted(const Face& face, const Vec3f& tint) {
@@ -182,6 +184,36 @@ Evaluation shade_phong(const Face& face, const Vec3f& weights, const Surface<flo
   return evaluate(face, surface, varying, nullptr, wants_lights, shading);
 }
 
+// k_s times the reflection map: what surrounds the scene is seen at the pixel, whatever the interpolation, after all clamping.
+Vec3f add_reflection(const Face& face, const Mapped& mapped, Evaluation& shading) {
+  const Vec3f part = reflected_surroundings(face.material.coefficients.specular, mapped.factors, mapped.reflection);
+  shading.terms.specular += part;
+  shading.scene_part += part;
+  return part;
+}
+
+void explain_reflection(const Face& face, const Mapped& mapped, FragmentExplanation& explanation) {
+  const ShadingReflection& map = face.material.reflection;
+  const bool is_cube = map.shape == ReflectionShape::cube;
+  const std::size_t i = is_cube ? static_cast<std::size_t>(cube_face(mapped.mirrored.at)) : 0;
+  const Footprint<float> seen = is_cube ? on_cube_face(i, mapped.mirrored) : on_sphere(mapped.mirrored);
+  MapExplanation part;
+  part.map = is_cube ? "reflection." + std::string(cube_face_names()[i]) : "reflection";
+  part.u = seen.u;
+  part.v = seen.v;
+  if (map.has_face(i)) {
+    const ShadingMap& face_map = map.faces[i];
+    const Footprint<float> at = on_map(face_map, seen);
+    const MapValue<float> value = look_up<TexelReader>(face_map, seen);
+    part.name = face.material.stated.textures.reflection->faces[i]->name;
+    part.u = at.u;
+    part.v = at.v;
+    part.level_of_detail = size_of_footprint(face_map.sampler, face_map.width, face_map.height, at).lod;
+    part.value = {value.rgb.x, value.rgb.y, value.rgb.z, value.alpha};
+  }
+  explanation.maps.push_back(std::move(part));
+}
+
 // The coefficients as the maps leave them, and what each map says.
 void explain_maps(const Face& face, const Mapped& mapped, FragmentExplanation& explanation) {
   const ShadingMaps& maps = face.material.maps;
@@ -199,6 +231,9 @@ void explain_maps(const Face& face, const Mapped& mapped, FragmentExplanation& e
                                 .level_of_detail = size_of_footprint(map.sampler, map.width, map.height, at).lod,
                                 .value = {value.rgb.x, value.rgb.y, value.rgb.z, value.alpha},
                                 .applies = value.applies > 0});
+  }
+  if (maps.reflects) {
+    explain_reflection(face, mapped, explanation);
   }
   Material& k = explanation.coefficients;
   Coefficients<float> textured{k.ambient.rgb, k.diffuse.rgb, k.specular.rgb, k.emission.rgb, k.shininess};
@@ -243,6 +278,10 @@ Fragment shade_fragment(const PreparedScene& scene, const ScreenTriangle& t, std
     if (material.maps.changes_normal()) {
       fragment.normal = mapped_normal<TexelReader>(face, scene.shading.normals, w, maps->slopes, maps->at, fragment.normal);
     }
+    if (material.maps.reflects) {
+      maps->mirrored = mirrored_view_on(face, w, maps->slopes, x, y, fragment.normal);
+      maps->reflection = look_up_reflection<TexelReader>(material.reflection, maps->mirrored);
+    }
   }
   const Mapped* mapped = maps ? &*maps : nullptr;
 
@@ -259,6 +298,7 @@ Fragment shade_fragment(const PreparedScene& scene, const ScreenTriangle& t, std
                             explanation);
       break;
   }
+  const Vec3f reflection = material.maps.reflects ? add_reflection(face, *mapped, shading) : Vec3f{};
   float clear = 1;  // the fog's factor
   if (scene.fog) {
     clear = fog_factor(*scene.fog, length(fragment.position));
@@ -289,6 +329,7 @@ Fragment shade_fragment(const PreparedScene& scene, const ScreenTriangle& t, std
     if (mapped != nullptr) {
       explain_maps(face, *mapped, *explanation);
     }
+    explanation->reflection = reflection;
     explanation->ambient = fragment.terms.ambient;
     explanation->diffuse = fragment.terms.diffuse;
     explanation->specular = fragment.terms.specular;

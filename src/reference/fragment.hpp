@@ -15,7 +15,7 @@ namespace lustro {
 struct Fragment {
   Terms<float> terms;
   Vec3f fog;         ///< what the fog adds; the terms are already dimmed by it
-  Vec3f scene_part;  ///< k_a I_a + k_e: what no light brings
+  Vec3f scene_part;  ///< k_a I_a + k_e + k_s times the reflection map: what no light brings
   Vec3f albedo;
   Vec3f position;  ///< relative to the eye
   Vec3f normal;

@@ -1,7 +1,7 @@
 // What maps do to the surface of one triangle of a prepared scene: the steps between a mesh's vertices and shade/texturing.hpp, once for the
 // reference's face (reference/face.hpp, F = float) and for the kernels' faces (F = N floats).
 //
-// AnyFace offers: instance, material, side, and of vertex i
+// AnyFace offers: scene, instance, material, side, and of vertex i
 //   Vec3<F> stated_position(i), stated_normal(i)       the mesh's own, object space
 //   Vec3<F> normal(i)                                  world, unit, times side
 //   std::array<F, 4> stated_tangent(i)                 Mesh::tangents
@@ -15,6 +15,7 @@
 #include "scene/prepare.hpp"
 #include "shade/interpolation.hpp"
 #include "shade/opacity.hpp"
+#include "shade/reflection.hpp"
 #include "shade/texturing.hpp"
 
 namespace lustro {
@@ -104,6 +105,42 @@ LUSTRO_INLINE Vec3<F> mapped_normal(const AnyFace& face, NormalInterpolation mod
     n = bumped_normal(n, surface, {heights.dx * F(instance.size), heights.dy * F(instance.size)});
   }
   return n * face.side;
+}
+
+/// How the interpolated normal changes on the image. Of the linear blend, also for slerp: it chooses the level of detail alone.
+template <class F, class AnyFace>
+LUSTRO_INLINE DirectionSlopes<F> normal_slopes_on(const AnyFace& face, const Weights<F>& w, const WeightSlopes<F>& slopes,
+                                                  const Vec3<F>& normal) {
+  if (face.scene.shading.interpolation == Interpolation::flat) {
+    return {normal, {}, {}};
+  }
+  const Instance& instance = face.instance;
+  const bool turns_once = instance.is_similarity;
+  std::array<Vec3<F>, 3> n;
+  for (std::size_t i = 0; i < 3; ++i) {
+    n[i] = turns_once ? face.stated_normal(i) : face.normal(i);
+  }
+  const Vec3<F> sum = weighted_sum(n, w);
+  const F scale = F(1) / square_root(lane_max(dot(sum, sum), F(1e-12F)));
+  const Vec3<F> unit = sum * scale;
+  const auto slope = [&](const Weights<F>& change) {
+    const Vec3<F> step = weighted_sum(n, change);
+    const Vec3<F> across = (step - unit * dot(unit, step)) * scale;
+    return turns_once ? instance.normal_from_object.turned(across) * face.side : across;
+  };
+  return {normal, slope(slopes.dx), slope(slopes.dy)};
+}
+
+/// The view as it is mirrored at a pixel.
+///
+/// x, y    on the image, pixels
+/// normal  the one that is lit, world, unit
+template <class F, class AnyFace>
+LUSTRO_INLINE DirectionSlopes<F> mirrored_view_on(const AnyFace& face, const Weights<F>& w, const WeightSlopes<F>& slopes, const F& x,
+                                                  const F& y, const Vec3<F>& normal) {
+  const View& view = face.scene.view;
+  const std::array<Vec3<F>, 2> change = view.to_eye_slopes_at(x, y);
+  return mirrored_view(normal_slopes_on(face, w, slopes, normal), {view.to_eye_at(x, y), change[0], change[1]});
 }
 
 }  // namespace lustro

@@ -240,6 +240,7 @@ Result<void> add_object(PreparedScene& prepared, const Scene& scene, std::size_t
     shading.maps = prepare_maps(material, *instance.mesh, scene.shading, where, prepared.notes);
     shading.opacity = prepare_opacity(material, *instance.drawable, where, prepared.notes);
     instance.alpha_modes |= bit_of(shading.opacity.mode);
+    shading.maps.reflects = prepare_reflection(material, scene.shading, where, prepared.notes, shading.reflection);
   };
   if (instance.has_own_materials) {
     std::for_each(instance.mesh->materials.begin(), instance.mesh->materials.end(), add);

@@ -15,6 +15,7 @@
 #include "shade/fog.hpp"
 #include "shade/lighting.hpp"
 #include "shade/opacity.hpp"
+#include "shade/reflection.hpp"
 #include "shade/texturing.hpp"
 
 namespace lustro {
@@ -43,6 +44,7 @@ struct ShadingMaterial {
   Material stated;  ///< as the scene states it, with linear colours
   ShadingMaps maps;
   ShadingOpacity opacity;
+  ShadingReflection reflection;  ///< where maps.reflects
 };
 
 /// Sets of alpha modes: of a material, bit_of() its mode.

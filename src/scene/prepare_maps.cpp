@@ -156,4 +156,38 @@ ShadingOpacity prepare_opacity(const Material& material, const DrawableMesh& dra
   return result;
 }
 
+std::span<const std::string_view, 6> cube_face_names() {
+  static constexpr std::array<std::string_view, 6> kNames{"right", "left", "top", "bottom", "front", "back"};
+  return kNames;
+}
+
+bool prepare_reflection(const Material& material, const Shading& shading, const std::string& where, Notes& notes, ShadingReflection& result) {
+  const Lighting lighting = material.lighting.value_or(shading.lighting);
+  if (!material.textures.reflection || !shading.terms.specular || lighting == Lighting::constant || lighting == Lighting::lambert) {
+    return false;
+  }
+  const ReflectionMap& stated = *material.textures.reflection;
+  const bool is_cube = stated.shape == ReflectionShape::cube;
+  result.shape = stated.shape;
+  result.present = 0;
+  std::string missing;
+  for (std::size_t i = 0; i < (is_cube ? result.faces.size() : 1); ++i) {
+    if (!stated.faces[i] || !stated.faces[i]->texture) {
+      missing += fmt::format("{}{}", missing.empty() ? "" : ", ", is_cube ? cube_face_names()[i] : "sphere");
+      continue;
+    }
+    ShadingMap& face = result.faces[i] = prepare_map(*stated.faces[i]);
+    face.leaves_outside = false;
+    face.sampler.wrap_u = is_cube ? Wrap::clamp_to_edge : Wrap::repeat;  // how the pictures meet is the shape's matter
+    face.sampler.wrap_v = Wrap::clamp_to_edge;
+    result.present |= 1U << i;
+  }
+  if (result.present == 0) {
+    add_note(notes, {where, "its reflection map is left out: it has no texture"});
+  } else if (!missing.empty()) {
+    add_note(notes, {where, fmt::format("its reflection map is black where it has no texture: {}", missing)});
+  }
+  return result.present != 0;
+}
+
 }  // namespace lustro

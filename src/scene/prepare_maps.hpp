@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "lustro/material.hpp"
 #include "lustro/mesh.hpp"
@@ -12,6 +13,7 @@
 #include "mesh/tangents.hpp"
 #include "scene/mesh_cache.hpp"
 #include "shade/opacity.hpp"
+#include "shade/reflection.hpp"
 #include "shade/texturing.hpp"
 #include "texture/slots.hpp"
 
@@ -36,5 +38,13 @@ struct MapRow {
 
 /// What of the material lets see through: the mode is `opaque` where nothing does. An opacity map that cannot be drawn is left out with a note.
 [[nodiscard]] ShadingOpacity prepare_opacity(const Material& material, const DrawableMesh& drawable, const std::string& where, Notes& notes);
+
+/// A material's reflection map, if it has one that is drawn: highlights belong to the lighting model and are not switched off, and there are
+/// textures. Faces of a cube that have none are black, with a note.
+[[nodiscard]] bool prepare_reflection(const Material& material, const Shading& shading, const std::string& where, Notes& notes,
+                                      ShadingReflection& result);
+
+/// The names of a cube map's faces, in their order: `right`, `left`, ...
+[[nodiscard]] std::span<const std::string_view, 6> cube_face_names();
 
 }  // namespace lustro

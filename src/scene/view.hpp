@@ -43,6 +43,18 @@ struct View {
     }
     return -normalize(vec_cast<F>(ray_center) + across_at(x, y));
   }
+  /// How V changes on the image at (x, y): a pixel to the right, a pixel down.
+  template <class F>
+  [[nodiscard]] std::array<Vec3<F>, 2> to_eye_slopes_at(const F& x, const F& y) const {
+    if (projection == Projection::orthographic) {
+      return {};
+    }
+    const Vec3<F> ray = vec_cast<F>(ray_center) + across_at(x, y);
+    const F scale = F(1) / length(ray);
+    const Vec3<F> unit = ray * scale;
+    const auto slope = [&](const Vec3f& step) { return (unit * dot(unit, vec_cast<F>(step)) - vec_cast<F>(step)) * scale; };
+    return {slope(ray_dx), slope(ray_dy)};
+  }
   /// V at an eye-relative point that is not on a pixel's ray (a vertex, a face's centre).
   template <class F>
   [[nodiscard]] Vec3<F> to_eye_from(const Vec3<F>& position) const {

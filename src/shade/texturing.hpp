@@ -42,9 +42,10 @@ struct ShadingMaps {
   std::array<ShadingMap, kMapKinds> maps;
   bool decal_on_ambient = true, decal_on_diffuse = true;  ///< the term is on
   bool normal_is_object_space = false;
+  bool reflects = false;  ///< there is a reflection map (shade/reflection.hpp), too
 
   [[nodiscard]] bool has(MapKind kind) const { return (present >> static_cast<unsigned>(kind) & 1U) != 0; }
-  [[nodiscard]] bool has_any() const { return present != 0; }
+  [[nodiscard]] bool has_any() const { return present != 0 || reflects; }
   [[nodiscard]] bool changes_normal() const { return has(MapKind::bump) || has(MapKind::normal); }
   [[nodiscard]] const ShadingMap& operator[](MapKind kind) const { return maps[static_cast<std::size_t>(kind)]; }
   [[nodiscard]] ShadingMap& operator[](MapKind kind) { return maps[static_cast<std::size_t>(kind)]; }

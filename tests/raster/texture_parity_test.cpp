@@ -68,6 +68,12 @@ MaterialTextures random_textures(Random& random) {
   maybe(t.bump);
   maybe(t.normal);
   t.normal_is_object_space = random.below(3) == 0;
+  if (random.below(3) == 0) {
+    t.reflection = ReflectionMap{.shape = static_cast<ReflectionShape>(random.below(2))};
+    for (std::optional<TextureUse>& face : t.reflection->faces) {
+      maybe(face, random.below(2) == 0);
+    }
+  }
   return t;
 }
 
