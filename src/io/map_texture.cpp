@@ -17,7 +17,7 @@ struct Statement {
   std::string_view slot;
 };
 
-constexpr std::array<Statement, 15> kStatements{{
+constexpr std::array<Statement, 17> kStatements{{
     {"map_ka", "ambient"},
     {"map_kd", "diffuse"},
     {"map_ks", "specular"},
@@ -33,6 +33,8 @@ constexpr std::array<Statement, 15> kStatements{{
     {"norm", "normal"},
     {"map_norm", "normal"},
     {"map_kn", "normal"},
+    {"disp", "displacement"},
+    {"map_disp", "displacement"},
 }};
 
 const TextureSlot* slot_of(std::string_view statement) {
@@ -46,9 +48,6 @@ const TextureSlot* slot_of(std::string_view statement) {
 
 /// What has no part in the picture yet.
 std::string_view reason_not_drawn(std::string_view statement) {
-  if (statement == "disp" || statement == "map_disp") {
-    return "surfaces are not displaced";
-  }
   if (statement == "refl" || statement == "map_refl") {
     return "reflection maps are not drawn";
   }

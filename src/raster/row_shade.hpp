@@ -74,33 +74,48 @@ struct OutputSlot {
   }
 };
 
+/// reference/fragment.cpp: maps_after_light()
+HWY_INLINE const Mapped* maps_after_light(const ShadingMaterial& material, const Mapped* mapped) {
+  return material.maps.has(MapKind::decal) ? nullptr : mapped;
+}
+
 inline Shaded shade_flat(const Faces& faces, const Mapped* mapped, bool wants_lights, const OutputSlot& out) {
   const Vec3<Float> center = ((faces.position(0) + faces.position(1)) + faces.position(2)) * Float(1.0F / 3.0F);
   const Surface<Float> surface{center, faces.face_normal(), faces.scene.view.to_eye_from(center)};
   const Float third(1.0F / 3.0F);
-  Shaded shaded = evaluate(faces.scene, faces.material, surface, tinted(faces.material.coefficients, faces.tint({third, third, third})), mapped,
-                           [&](std::size_t i, const Vec3<Float>& part) {
-                             if (wants_lights) {
-                               out.put_light(i, part);
-                             }
-                           });
-  if (mapped != nullptr) {
-    modulate(mapped->factors, shaded.terms);
+  Coefficients<Float> k = tinted(faces.material.coefficients, faces.tint({third, third, third}));
+  const Mapped* after = maps_after_light(faces.material, mapped);
+  if (after != mapped) {
+    apply_factors(faces.material.maps, mapped->factors, k);
+  }
+  Shaded shaded = evaluate(faces.scene, faces.material, surface, k, after, [&](std::size_t i, const Vec3<Float>& part) {
+    if (wants_lights) {
+      out.put_light(i, part);
+    }
+  });
+  if (after != nullptr) {
+    modulate(after->factors, shaded.terms);
   }
   return shaded;
 }
 
 inline Shaded shade_gouraud(const Faces& faces, const Weights<Float>& w, const Mapped* mapped, bool wants_lights, const OutputSlot& out) {
+  const Mapped* after = maps_after_light(faces.material, mapped);
   Shaded sum;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3<Float> position = faces.position(i);
     const Surface<Float> surface{position, faces.normal(i), faces.scene.view.to_eye_from(position)};
     const Weights<Float> corner{Float(i == 0 ? 1.0F : 0.0F), Float(i == 1 ? 1.0F : 0.0F), Float(i == 2 ? 1.0F : 0.0F)};
-    const Coefficients<Float> k = tinted(faces.material.coefficients, faces.tint(corner));
-    Shaded vertex = evaluate(faces.scene, faces.material, surface, k, mapped, [](std::size_t, const Vec3<Float>&) {});
+    Coefficients<Float> k = tinted(faces.material.coefficients, faces.tint(corner));
+    const auto ignore = [](std::size_t, const Vec3<Float>&) {};
+    Shaded vertex = evaluate(faces.scene, faces.material, surface, k, after, ignore);
     const Vec3<Float> total = vertex.terms.sum();
     const auto scale = [](Float c) { return select(c > Float(1), Float(1) / c, Float(1)); };
     const Vec3<Float> by{scale(total.x), scale(total.y), scale(total.z)};
+    if (after != mapped) {
+      apply_factors(faces.material.maps, mapped->factors, k);
+      vertex = evaluate(faces.scene, faces.material, surface, k, nullptr, ignore);
+    }
     scale_terms(vertex.terms, by);
     vertex.scene_part = vertex.scene_part * by;
     const auto add = [&](Vec3<Float>& to, const Vec3<Float>& value) { to = i == 0 ? value * w[i] : to + value * w[i]; };
@@ -110,15 +125,15 @@ inline Shaded shade_gouraud(const Faces& faces, const Weights<Float>& w, const M
     add(sum.terms.emission, vertex.terms.emission);
     add(sum.scene_part, vertex.scene_part);
     if (wants_lights) {  // once more, now that the clamp is known
-      evaluate(faces.scene, faces.material, surface, k, mapped, [&](std::size_t l, const Vec3<Float>& part) {
+      evaluate(faces.scene, faces.material, surface, k, after, [&](std::size_t l, const Vec3<Float>& part) {
         Vec3<Float> value = i == 0 ? Vec3<Float>{} : out.get_light(l);
         add(value, part * by);
         out.put_light(l, value);
       });
     }
   }
-  if (mapped != nullptr) {
-    modulate(mapped->factors, sum.terms);
+  if (after != nullptr) {
+    modulate(after->factors, sum.terms);
   }
   return sum;
 }

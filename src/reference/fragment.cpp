@@ -110,23 +110,36 @@ ShadingExplanation* add_shading(FragmentExplanation* explanation, float weight) 
   return &explanation->shadings.back();
 }
 
+// The maps that multiply the light of a face or its vertices: all of them, unless there is a decal. That one covers coefficients, so with it the
+// light is worked out once more for the pixel's own; as all is linear in them, nothing else changes.
+const Mapped* maps_after_light(const Face& face, const Mapped* mapped) {
+  return face.material.maps.has(MapKind::decal) ? nullptr : mapped;
+}
+
 Evaluation shade_flat(const Face& face, const Mapped* mapped, bool wants_lights, FragmentExplanation* explanation) {
   const Vec3f center = ((face.position(0) + face.position(1)) + face.position(2)) * (1.0F / 3.0F);
   const Surface<float> surface{center, face.face_normal(), face.scene.view.to_eye_from(center)};
   constexpr float kThird = 1.0F / 3.0F;
-  Evaluation shading =
-      evaluate(face, surface, tinted(face, face.tint({kThird, kThird, kThird})), mapped, wants_lights, add_shading(explanation, 1));
-  if (mapped != nullptr) {
-    modulate(mapped->factors, shading.terms);
+  Coefficients<float> k = tinted(face, face.tint({kThird, kThird, kThird}));
+  const Mapped* after = maps_after_light(face, mapped);
+  if (after != mapped) {
+    apply_factors(face.material.maps, mapped->factors, k);
+  }
+  Evaluation shading = evaluate(face, surface, k, after, wants_lights, add_shading(explanation, 1));
+  if (after != nullptr) {
+    modulate(after->factors, shading.terms);
   }
   return shading;
 }
 
 // Clamped to 0..1 at the vertex: where the sum exceeds 1, all its terms are scaled down alike, so that they still sum to the colour.
-void clamp_at_vertex(Evaluation& vertex) {
-  const Vec3f sum = vertex.terms.sum();
+Vec3f clamp_at_vertex(const Terms<float>& terms) {
+  const Vec3f sum = terms.sum();
   const auto scale = [](float c) { return c > 1.0F ? 1.0F / c : 1.0F; };
-  const Vec3f by{scale(sum.x), scale(sum.y), scale(sum.z)};
+  return {scale(sum.x), scale(sum.y), scale(sum.z)};
+}
+
+void scale_vertex(Evaluation& vertex, const Vec3f& by) {
   scale_terms(vertex.terms, by);
   vertex.scene_part = vertex.scene_part * by;
   for (Vec3f& part : vertex.light_parts) {
@@ -136,14 +149,21 @@ void clamp_at_vertex(Evaluation& vertex) {
 
 Evaluation shade_gouraud(const Face& face, const Vec3f& weights, const Mapped* mapped, bool wants_lights, FragmentExplanation* explanation) {
   const std::array<float, 3> w{weights.x, weights.y, weights.z};
+  const Mapped* after = maps_after_light(face, mapped);
   Evaluation sum;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3f position = face.position(i);
     const Surface<float> surface{position, face.normal(i), face.scene.view.to_eye_from(position)};
     const Vec3f corner{i == 0 ? 1.0F : 0.0F, i == 1 ? 1.0F : 0.0F, i == 2 ? 1.0F : 0.0F};
     ShadingExplanation* shading = add_shading(explanation, w[i]);
-    Evaluation vertex = evaluate(face, surface, tinted(face, face.tint(corner)), mapped, wants_lights, shading);
-    clamp_at_vertex(vertex);
+    Coefficients<float> k = tinted(face, face.tint(corner));
+    Evaluation vertex = evaluate(face, surface, k, after, wants_lights, after == mapped ? shading : nullptr);
+    const Vec3f by = clamp_at_vertex(vertex.terms);  // before all maps
+    if (after != mapped) {
+      apply_factors(face.material.maps, mapped->factors, k);
+      vertex = evaluate(face, surface, k, nullptr, wants_lights, shading);
+    }
+    scale_vertex(vertex, by);
     if (shading != nullptr) {
       shading->ambient = vertex.terms.ambient;
       shading->diffuse = vertex.terms.diffuse;
@@ -161,8 +181,8 @@ Evaluation shade_gouraud(const Face& face, const Vec3f& weights, const Mapped* m
       add(sum.light_parts[l], vertex.light_parts[l]);
     }
   }
-  if (mapped != nullptr) {
-    modulate(mapped->factors, sum.terms);
+  if (after != nullptr) {
+    modulate(after->factors, sum.terms);
   }
   return sum;
 }

@@ -8,8 +8,10 @@
 #include <cmath>
 
 #include "image/srgb.hpp"
+#include "mesh/displace.hpp"
 #include "mesh/normals.hpp"
 #include "parallel/slices.hpp"
+#include "scene/displacement.hpp"
 
 namespace lustro {
 namespace {
@@ -78,7 +80,7 @@ bool is_unit(const Vec3f& n) {
 
 // The mesh with the normals that drawing needs: interpolation takes them for unit vectors.
 std::shared_ptr<const Mesh> with_normals(const std::shared_ptr<const Mesh>& mesh, const MeshDemand& demand, int threads) {
-  if (!demand.wants_normals) {
+  if (!demand.wants_normals && demand.displacement.empty()) {
     return mesh;
   }
   if (mesh->normals.empty()) {
@@ -111,11 +113,17 @@ Result<std::shared_ptr<const DrawableMesh>> MeshCache::get(const std::shared_ptr
   auto drawable = std::make_shared<DrawableMesh>();
   drawable->stated = mesh;
   drawable->mesh = with_normals(mesh, demand, threads);
+  if (!demand.displacement.empty()) {
+    DisplacedMesh moved =
+        displaced(*drawable->mesh, displacement_maps(demand.displacement), {.encoded_colors = demand.encoded_colors, .threads = threads});
+    drawable->mesh = std::make_shared<const Mesh>(std::move(moved.mesh));
+    drawable->note = std::move(moved.note);
+  }
   if (demand.tangents && drawable->mesh->tangents.empty()) {
     drawable->mesh = std::make_shared<const Mesh>(with_tangents(*drawable->mesh, *demand.tangents));
-    if (auto checked = check_vertex_count(drawable->mesh->positions.size(), where); !checked) {  // there may be more now
-      return tl::unexpected(checked.error());
-    }
+  }
+  if (auto checked = check_vertex_count(drawable->mesh->positions.size(), where); !checked) {  // there may be more now
+    return tl::unexpected(checked.error());
   }
   drawable->colors.reserve(drawable->mesh->colors.size());
   for (const Vec3f& c : drawable->mesh->colors) {

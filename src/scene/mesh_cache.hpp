@@ -8,6 +8,7 @@
 
 #include "lustro/mesh.hpp"
 #include "lustro/result.hpp"
+#include "lustro/texture.hpp"
 #include "mesh/clusters.hpp"
 #include "mesh/cones.hpp"
 #include "mesh/tangents.hpp"
@@ -22,19 +23,22 @@ struct DrawableMesh {
   bool has_alphas = false;             ///< the mesh's alphas let see through somewhere
   Clusters clusters;
   std::vector<NormalCone> cones;  ///< of the clusters, or empty
+  std::string note;               ///< what did not go as asked, or empty
 };
 
 /// What the scene's options say about a mesh.
 struct MeshDemand {
   NormalOptions normals{};
   bool wants_normals = true;
-  bool encoded_colors = true;                ///< vertex colours are decoded to linear light
-  bool wants_cones = false;                  ///< faces that look away are not drawn; met where the mesh will be drawn often
-  std::optional<TangentOptions> tangents{};  ///< made where the mesh states none
+  bool encoded_colors = true;                             ///< vertex colours are decoded to linear light
+  bool wants_cones = false;                               ///< faces that look away are not drawn; met where the mesh will be drawn often
+  std::optional<TangentOptions> tangents{};               ///< made where the mesh states none
+  std::vector<std::optional<TextureUse>> displacement{};  ///< of displacement_of(); asks for normals
 
   friend bool operator==(const MeshDemand& a, const MeshDemand& b) {
     return a.normals.weights == b.normals.weights && a.normals.crease_deg == b.normals.crease_deg && a.wants_normals == b.wants_normals &&
-           a.encoded_colors == b.encoded_colors && a.wants_cones == b.wants_cones && a.tangents == b.tangents;
+           a.encoded_colors == b.encoded_colors && a.wants_cones == b.wants_cones && a.tangents == b.tangents &&
+           a.displacement == b.displacement;
   }
 };
 

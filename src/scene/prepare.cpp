@@ -10,6 +10,7 @@
 #include "image/srgb.hpp"
 #include "math/power.hpp"
 #include "math/trig.hpp"
+#include "scene/displacement.hpp"
 #include "scene/prepare_maps.hpp"
 
 namespace lustro {
@@ -222,6 +223,9 @@ Result<void> add_object(PreparedScene& prepared, const Scene& scene, std::size_t
   if (auto placed = place(instance, object.matrix, prepared.view, where); !placed) {
     return placed;
   }
+  if (!instance.drawable->note.empty()) {
+    prepared.notes.push_back({where, instance.drawable->note});
+  }
   const std::size_t triangles = instance.mesh->triangles.size();
   if (triangles > 0xFFFFFFFEU - prepared.triangle_count) {
     return fail(ErrorKind::limit, where, "the scene has more than 4294967294 triangles");
@@ -264,7 +268,8 @@ Result<void> check_objects(const Scene& scene, MeshCache& cache, int threads, st
                             .wants_normals = scene.shading.interpolation != Interpolation::flat,
                             .encoded_colors = scene.image.transfer != Transfer::none,
                             .wants_cones = scene.shading.cull != Culling::none,
-                            .tangents = tangents_for(object, scene.shading)};
+                            .tangents = tangents_for(object, scene.shading),
+                            .displacement = displacement_of(object)};
     auto drawable = cache.get(object.mesh, demand, threads, where + ".mesh");
     if (!drawable) {
       return tl::unexpected(drawable.error());

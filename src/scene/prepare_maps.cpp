@@ -25,7 +25,7 @@ void add_note(Notes& notes, Note note) {
 
 // What only the equation at the pixel itself can use.
 bool is_of_the_pixel(MapKind kind) {
-  return kind == MapKind::shininess || kind == MapKind::decal || kind == MapKind::bump || kind == MapKind::normal;
+  return kind == MapKind::shininess || kind == MapKind::bump || kind == MapKind::normal;
 }
 
 bool is_of_a_term_that_is_off(MapKind kind, const TermSet& terms, Lighting lighting) {
@@ -55,6 +55,8 @@ std::string name_of(const Material& material) {
   return material.name.empty() ? "the material" : fmt::format("material \"{}\"", material.name);
 }
 
+}  // namespace
+
 ShadingMap prepare_map(const TextureUse& use) {
   ShadingMap map;
   map.texels = use.texture->layout();
@@ -70,8 +72,6 @@ ShadingMap prepare_map(const TextureUse& use) {
   map.base = use.base;
   return map;
 }
-
-}  // namespace
 
 std::span<const MapRow> map_rows() {
   return kRows;
@@ -124,6 +124,11 @@ ShadingMaps prepare_maps(const Material& material, const Mesh& mesh, const Shadi
       maps[row.kind] = prepare_map(*use);
       maps.present |= 1U << static_cast<unsigned>(row.kind);
       maps.uv_sets |= 1U << use->uv_set;
+    }
+  }
+  if (textures.displacement) {  // it is in the mesh by now, where it could be
+    if (const std::optional<std::string> why = why_not_drawn(*textures.displacement, mesh)) {
+      add_note(notes, {where, fmt::format("its displacement map is left out: {}", *why)});
     }
   }
   return maps;

@@ -29,6 +29,9 @@ struct MapRow {
 /// The tangents that an object's tangent-space normal maps ask of its mesh: how the first of them lies on it. Nothing: they ask for none.
 [[nodiscard]] std::optional<TangentOptions> tangents_for(const Object& object, const Shading& shading);
 
+/// One map, as shading looks it up. It holds the texture's texels.
+[[nodiscard]] ShadingMap prepare_map(const TextureUse& use);
+
 /// Maps that cannot be drawn are left out with a note: without a texture, without the mesh's texture coordinates, or of what only a pixel's own
 /// lighting knows where light is not calculated in the pixel. Those of terms that are off are left out without one.
 ///

@@ -17,7 +17,7 @@ struct TextureSlot {
   bool is_scalar;          ///< one value: `channel` says which
 };
 
-inline constexpr std::array<TextureSlot, 9> kTextureSlots{{
+inline constexpr std::array<TextureSlot, 10> kTextureSlots{{
     {"ambient", &MaterialTextures::ambient, TextureContent::color, false},
     {"diffuse", &MaterialTextures::diffuse, TextureContent::color, false},
     {"specular", &MaterialTextures::specular, TextureContent::color, false},
@@ -27,6 +27,7 @@ inline constexpr std::array<TextureSlot, 9> kTextureSlots{{
     {"decal", &MaterialTextures::decal, TextureContent::color, false},
     {"bump", &MaterialTextures::bump, TextureContent::data, true},
     {"normal", &MaterialTextures::normal, TextureContent::data, false},
+    {"displacement", &MaterialTextures::displacement, TextureContent::data, true},
 }};
 
 /// The place of that name; null where there is none.
