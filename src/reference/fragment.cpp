@@ -111,7 +111,7 @@ ShadingExplanation* add_shading(FragmentExplanation* explanation, float weight) 
 }
 
 // The maps that multiply the light of a face or its vertices: all of them, unless there is a decal. That one covers coefficients, so with it the
-// light is worked out once more for the pixel's own; as all is linear in them, nothing else changes.
+// light is worked out for the pixel's own; classic light is linear in them, so nothing else changes.
 const Mapped* maps_after_light(const Face& face, const Mapped* mapped) {
   return face.material.maps.has(MapKind::decal) ? nullptr : mapped;
 }

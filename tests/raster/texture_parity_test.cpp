@@ -219,5 +219,18 @@ TEST(TransparencyParity, MoreLayersInAPixelThanAreShadedAtATime) {
   }
 }
 
+TEST(TextureParity, DisplacedMeshes) {
+  Random random(29);
+  for (int i = 0; i < 3; ++i) {
+    Scene scene = random_scene(random);
+    for (Object& object : scene.objects) {
+      object.material->textures.displacement = random_use(random);
+      object.material->textures.displacement->gain = {0.1F, 0.1F, 0.1F};
+      object.material->textures.displacement->uv_matrix = {1, 0, 0, 0, 1, 0};
+    }
+    expect_parity(scene, "displaced " + std::to_string(i));
+  }
+}
+
 }  // namespace
 }  // namespace lustro

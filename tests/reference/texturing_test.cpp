@@ -532,6 +532,48 @@ TEST(Texturing, AnExplanationEqualsThePixelAndSaysWhatTheMapsSaid) {
   }
 }
 
+// Under flat and Gouraud interpolation, too: a decal that covers all is the material of its colour, one that covers nothing is none, and between
+// them the light is mixed as the coefficients are.
+TEST(Texturing, ADecalIsLitByTheFaceOrTheVerticesWhereThePixelIsNot) {
+  for (const Interpolation interpolation : {Interpolation::flat, Interpolation::gouraud}) {
+    Scene scene = plain_scene(primitive("sphere:12"));
+    scene.shading.interpolation = interpolation;
+    scene.ambient = {{0.1F, 0.2F, 0.1F}};
+    scene.lights = std::vector<Light>{sun({-1, -1, -1}), sun({1, -0.5, -1})};
+    for (Light& light : *scene.lights) {
+      light.diffuse = {{0.3F, 0.25F, 0.2F}};  // nothing is clamped
+      light.specular = {{0.2F, 0.2F, 0.2F}};
+      light.ambient = {{0.05F, 0, 0.1F}};
+    }
+    const Material plain{.ambient = {{0.5F, 0.5F, 0.5F}}, .diffuse = {{0.5F, 0.25F, 0.75F}}, .specular = {{0.4F, 0.4F, 0.4F}}, .shininess = 10};
+    Material covered = plain;
+    covered.ambient = covered.diffuse = {{0.25F, 0.75F, 0.5F}};
+    const auto with_share = [&](float share) {
+      Material material = plain;
+      material.textures.decal = constant({0.25F, 0.75F, 0.5F, share});
+      return material;
+    };
+    const auto seen = [&](const Material& material) {
+      scene.objects[0].material = material;
+      return drawn(scene, with_layers("ambient,diffuse,light:*,scene"));
+    };
+    const Rendering none = seen(plain), all = seen(covered);
+    for (const float share : {0.0F, 0.25F, 1.0F}) {
+      const Rendering mixed = seen(with_share(share));
+      EXPECT_TRUE(mixed.notes.empty());
+      const auto expect_mixed = [&](const Image& image, const Image& a, const Image& b) {
+        for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+          ASSERT_NEAR(image.pixels[i], a.pixels[i] + (b.pixels[i] - a.pixels[i]) * share, 2e-5F);
+        }
+      };
+      expect_mixed(mixed.color, none.color, all.color);
+      for (std::size_t l = 0; l < mixed.layers.size(); ++l) {
+        expect_mixed(mixed.layers[l].image, none.layers[l].image, all.layers[l].image);
+      }
+    }
+  }
+}
+
 TEST(Texturing, BothEnginesDrawTheSamePicture) {
   const Scene scene = textured_rich_scene(Interpolation::phong);
   const Rendering reference = drawn(scene);
