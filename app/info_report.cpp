@@ -120,17 +120,27 @@ struct TextureRow {
 std::vector<TextureRow> texture_rows(const std::vector<Material>& materials) {
   std::vector<TextureRow> rows;
   for (const Material& material : materials) {
-    for (const TextureSlot& slot : kTextureSlots) {
-      const std::optional<TextureUse>& use = material.textures.*slot.use;
+    const auto add = [&](const std::optional<TextureUse>& use, std::string_view key) {
       if (!use || !use->texture) {
-        continue;
+        return;
       }
       auto found = std::ranges::find(rows, use->texture.get(), &TextureRow::texture);
       if (found == rows.end()) {
         rows.push_back({use->name, use->texture.get(), {}});
         found = rows.end() - 1;
       }
-      found->uses.push_back(fmt::format("{}: {}", material.name.empty() ? "(no name)" : material.name, slot.key));
+      const std::string user = fmt::format("{}: {}", material.name.empty() ? "(no name)" : material.name, key);
+      if (std::ranges::find(found->uses, user) == found->uses.end()) {  // objects may share a material
+        found->uses.push_back(user);
+      }
+    };
+    for (const TextureSlot& slot : kTextureSlots) {
+      add(material.textures.*slot.use, slot.key);
+    }
+    if (const std::optional<ReflectionMap>& map = material.textures.reflection) {
+      for (std::size_t face = 0; face < kCubeFaces.size(); ++face) {
+        add(map->faces[face], map->shape == ReflectionShape::cube ? fmt::format("reflection {}", kCubeFaces[face]) : "reflection");
+      }
     }
   }
   return rows;

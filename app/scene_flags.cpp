@@ -43,6 +43,12 @@ std::string value_name(const FieldInfo& field) {
     case ValueKind::text:
     case ValueKind::objects:
     case ValueKind::materials:
+    case ValueKind::texture:
+    case ValueKind::reflection:
+    case ValueKind::wrap:
+    case ValueKind::pair:
+    case ValueKind::triple:
+    case ValueKind::affine:
       return "VALUE";
   }
   return "VALUE";

@@ -42,6 +42,9 @@ struct Sampler {
   MipFilter mip = MipFilter::linear;
   int anisotropy = 1;                       ///< 1..16: looks taken at most along the footprint's long axis
   std::array<float, 4> border{0, 0, 0, 0};  ///< RGBA of `clamp_to_border`
+  float lod_bias = 0;                       ///< -16..16, added to the level that a footprint asks for: below 0 sharper (OpenGL 4.6, 8.14.1)
+  bool blend_u = true;                      ///< false: the nearest texel along that axis, whatever the filters
+  bool blend_v = true;
   friend bool operator==(const Sampler&, const Sampler&) = default;
 };
 

@@ -99,10 +99,10 @@ Result<FoundFile> find_texture(const fs::path& folder, const std::string& name) 
         return FoundFile{candidate};
       }
     }
-    problem = is_confined(folder, folder / written) ? "is missing" : "leads out of the model's folder and the one around it";
+    problem = is_confined(folder, folder / written) ? "is missing" : "leads out of its folder and the one around it";
   }
   if (written.has_filename() && is_file(beside) && is_confined(folder, beside)) {
-    return FoundFile{beside, fmt::format("{} {}: the file of that name beside the MTL file is used", shown(name), problem)};
+    return FoundFile{beside, fmt::format("{} {}: the file of that name beside the one that names it is used", shown(name), problem)};
   }
   for (const fs::path& candidate : {is_absolute ? beside : folder / written, beside}) {
     if (const auto other = written.has_filename() && is_confined(folder, candidate) ? find_in_other_case(candidate) : std::nullopt;

@@ -21,10 +21,10 @@ struct FoundFile {
   std::string note{};
 };
 
-/// The picture that an MTL file in `folder` names. The name may come from anyone, so nothing outside of the tree of the folder's parent is
-/// looked at (`../textures/a.png` is inside); where that is the root of the file system, nothing outside of the folder. Symbolic links count as
-/// what they point to. An absolute name stands for its last part, beside the MTL file. What is not there is looked for by its last part beside
-/// the MTL file, then without regard to case, each with a note. errors  io where there is none, with what was tried
+/// The picture that a file (MTL, scene) in `folder` names. The name may come from anyone, so nothing outside of the tree of the folder's parent
+/// is looked at (`../textures/a.png` is inside); where that is the root of the file system, nothing outside of the folder. Symbolic links count
+/// as what they point to. An absolute name stands for its last part, beside that file. What is not there is looked for by its last part beside
+/// that file, then without regard to case, each with a note. errors  io where there is none, with what was tried
 [[nodiscard]] Result<FoundFile> find_texture(const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace lustro

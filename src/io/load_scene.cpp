@@ -13,12 +13,15 @@
 #include <system_error>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "io/find_file.hpp"
 #include "io/gltf_scene.hpp"
 #include "io/load_mesh.hpp"
+#include "io/load_textures.hpp"
 #include "io/mesh_format.hpp"
 #include "io/read_file.hpp"
+#include "io/text.hpp"
 #include "lustro/scene.hpp"
 #include "scene/check_scene.hpp"
 #include "scene/json_document.hpp"
@@ -199,6 +202,21 @@ Result<void> load_all(Scene& scene, const fs::path& folder, const LoadOptions& s
       return fail(mesh.error().kind, joined(path, mesh.error().where), mesh.error().message);
     }
     object.mesh = std::move(*mesh);
+  }
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    std::optional<Material>& material = scene.objects[i].material;
+    if (!material || material->stated_textures == StatedTextures{}) {
+      continue;
+    }
+    const std::string where =
+        material->name.empty() ? fmt::format("objects[{}].material.textures", i) : fmt::format("material {}", shown(material->name));
+    const Result<Notes> found = load_stated_textures(*material, where, folder, options, loaded.textures);
+    if (!found) {
+      return tl::unexpected(found.error());
+    }
+    for (const Note& note : *found) {
+      notes.add(note);
+    }
   }
   return {};
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <new>
 #include <utility>
 
@@ -114,6 +115,17 @@ void read_files(const std::vector<Request>& requests, int threads, TextureCache&
   });
 }
 
+/// Where the use of a texture stands in its material.
+std::optional<TextureUse>& place_of(Material& material, const MapUse& map) {
+  if (map.slot->use != nullptr) {
+    return material.textures.*map.slot->use;
+  }
+  if (!material.textures.reflection) {
+    material.textures.reflection.emplace();
+  }
+  return material.textures.reflection->faces[map.face];
+}
+
 /// What only the picture decides: which channel is meant, and whether a bump map holds heights.
 void settle(Request& request, const TextureFile& file, BookShelf& books) {
   TextureUse& use = request.map.use;
@@ -140,7 +152,7 @@ void settle(Request& request, const TextureFile& file, BookShelf& books) {
       books.add(request.where, fmt::format("{}: {} has an alpha, which is used, and not its colours", request.statement, shown_name));
     }
   }
-  std::optional<TextureUse>& slot = request.material->textures.*request.map.slot->use;
+  std::optional<TextureUse>& slot = place_of(*request.material, request.map);
   if (slot) {
     books.add(request.where,
               fmt::format("{}: a material that states two maps for its {} has the last one", request.statement, request.map.slot->key));
@@ -225,6 +237,60 @@ Result<Notes> load_map_textures(std::span<Material> materials, const fs::path& f
   // a bump map that turns out to hold normals gives way to a stated normal map, wherever that stands
   std::stable_partition(requests.begin(), requests.end(), [](const Request& request) { return !request.map.may_be_normals; });
   return finish(requests, options, cache, books);
+}
+
+Result<Notes> load_stated_textures(Material& material, const std::string& where, const fs::path& folder, const LoadOptions& options,
+                                   TextureCache& cache) {
+  BookShelf books;
+  std::vector<Request> requests;
+  const StatedTextures& stated = material.stated_textures;
+  const auto ask = [&](const StatedTexture& texture, const TextureSlot& slot, std::string key, std::size_t face = 0) -> Result<void> {
+    auto found = find_texture(folder, texture.file);
+    if (!found) {
+      if (options.strict) {
+        return fail(found.error().kind, where, fmt::format("{}: the texture {}", key, found.error().message));
+      }
+      books.add(where, fmt::format("{}: the texture {}; drawn without it", key, found.error().message));
+      return {};
+    }
+    if (!found->note.empty()) {
+      books.add(where, fmt::format("{}: the texture {}", key, found->note));
+    }
+    Request request{&material, use_of_stated(texture, slot, options.transfer), where, std::move(key)};
+    request.map.face = face;
+    request.key = {identity_of(found->path), slot.content, options.transfer, '\0'};
+    requests.push_back(std::move(request));
+    return {};
+  };
+  material.textures.normal_is_object_space = material.textures.normal_is_object_space || stated.object_space;
+  for (const TextureSlot& slot : kTextureSlots) {
+    const std::optional<StatedTexture>& texture = stated.*slot.stated;
+    if (!texture || material.textures.*slot.use) {
+      continue;
+    }
+    if (auto done = ask(*texture, slot, std::string(slot.key)); !done) {
+      return tl::unexpected(std::move(done).error());
+    }
+  }
+  if (stated.reflection && !material.textures.reflection) {
+    const StatedReflection& map = *stated.reflection;
+    const std::array faces{&map.right, &map.left, &map.top, &map.bottom, &map.front, &map.back};
+    const bool is_cube = map.shape == ReflectionShape::cube;
+    for (std::size_t face = 0; face < (is_cube ? faces.size() : 1); ++face) {
+      const std::optional<StatedTexture>& texture = is_cube ? *faces[face] : map.picture;
+      if (!texture) {
+        continue;
+      }
+      if (auto done = ask(*texture, kReflectionSlot, fmt::format("reflection.{}", is_cube ? kCubeFaces[face] : "picture"), face); !done) {
+        return tl::unexpected(std::move(done).error());
+      }
+    }
+  }
+  auto notes = finish(requests, options, cache, books);
+  if (notes && stated.reflection && material.textures.reflection) {
+    material.textures.reflection->shape = stated.reflection->shape;
+  }
+  return notes;
 }
 
 }  // namespace lustro

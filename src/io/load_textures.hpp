@@ -44,6 +44,12 @@ class TextureCache {
 [[nodiscard]] Result<Notes> load_map_textures(std::span<Material> materials, const std::filesystem::path& folder, const LoadOptions& options,
                                               TextureCache& cache);
 
+/// Fills Material::textures from Material::stated_textures, whose files are found by find_texture() from `folder`, the scene file's; what is
+/// filled already stays. A picture that cannot be had leaves its map out, with a note; with options.strict it is an error.
+/// where  what notes and errors call the material
+[[nodiscard]] Result<Notes> load_stated_textures(Material& material, const std::string& where, const std::filesystem::path& folder,
+                                                 const LoadOptions& options, TextureCache& cache);
+
 /// Whether a picture holds normals of a tangent frame and no heights: it has colours, on the whole more blue than red and green by a tenth, and
 /// nine tenths of the texels that are looked at (64 x 64, evenly spread), read as 2 rgb - 1, point out of the surface with a length of 0.8
 /// to 1.2.

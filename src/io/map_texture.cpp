@@ -8,6 +8,8 @@
 #include <string_view>
 
 #include "image/lower_case.hpp"
+#include "image/srgb.hpp"
+#include "math/trig.hpp"
 
 namespace lustro {
 namespace {
@@ -90,6 +92,34 @@ std::uint8_t channel_of(char letter) {
   }
 }
 
+std::array<float, 4> border_of(const StatedTexture& stated, Transfer transfer) {
+  const Vec3f& rgb = stated.border.rgb;
+  if (transfer == Transfer::srgb && stated.border.space == ColorSpace::encoded) {
+    return {srgb_decode(rgb.x), srgb_decode(rgb.y), srgb_decode(rgb.z), stated.border_alpha};
+  }
+  return {rgb.x, rgb.y, rgb.z, stated.border_alpha};
+}
+
+/// From (u, v) as the scene file counts them to the picture's, whose rows go down.
+std::array<float, 6> uv_matrix_of(const StatedTexture& stated) {
+  std::array<double, 6> matrix{};
+  if (stated.matrix) {
+    std::ranges::transform(*stated.matrix, matrix.begin(), [](float m) { return static_cast<double>(m); });
+  } else {
+    const double c = cosine_deg(static_cast<double>(stated.rotation));
+    const double s = sine_deg(static_cast<double>(stated.rotation));
+    const auto u = static_cast<double>(stated.scale.x);
+    const auto v = static_cast<double>(stated.scale.y);
+    matrix = {c * u, -s * v, static_cast<double>(stated.offset.x), s * u, c * v, static_cast<double>(stated.offset.y)};
+  }
+  if (!stated.v_down) {
+    matrix = {matrix[0], matrix[1], matrix[2], -matrix[3], -matrix[4], 1 - matrix[5]};
+  }
+  std::array<float, 6> result{};
+  std::ranges::transform(matrix, result.begin(), [](double m) { return static_cast<float>(m); });
+  return result;
+}
+
 /// Numbers whose products are still finite as floats.
 float bounded(float value) {
   return std::clamp(value, -1e9F, 1e9F);
@@ -102,6 +132,31 @@ void tilt_normals(TextureUse& use, float factor) {
   const float shift = (1 - factor) * 0.5F;
   use.gain = {use.gain.x * factor, use.gain.y * factor, use.gain.z};
   use.base = {use.base.x * factor + shift, use.base.y * factor + shift, use.base.z};
+}
+
+MapUse use_of_stated(const StatedTexture& stated, const TextureSlot& slot, Transfer transfer) {
+  MapUse result;
+  result.slot = &slot;
+  TextureUse& use = result.use;
+  use.name = stated.file;
+  use.sampler.wrap_u = stated.wrap.u;
+  use.sampler.wrap_v = stated.wrap.v;
+  use.sampler.magnify = stated.magnify;
+  use.sampler.minify = stated.minify;
+  use.sampler.mip = stated.mip;
+  use.sampler.anisotropy = stated.anisotropy;
+  use.sampler.lod_bias = stated.lod_bias;
+  use.sampler.border = border_of(stated, slot.content == TextureContent::color ? transfer : Transfer::none);
+  use.uv_set = static_cast<std::uint8_t>(stated.uv_set);
+  use.uv_matrix = uv_matrix_of(stated);
+  use.gain = stated.gain;
+  use.base = stated.base;
+  use.leaves_outside = stated.once;
+  result.states_channel = stated.channel != TextureChannel::automatic;
+  if (slot.is_scalar && result.states_channel) {
+    use.channel = static_cast<std::uint8_t>(static_cast<int>(stated.channel) - static_cast<int>(TextureChannel::red));
+  }
+  return result;
 }
 
 std::optional<MapUse> use_of_map(const TextureMap& map, bool transparency_is_tr, const std::function<void(std::string)>& note) {

@@ -1,6 +1,7 @@
 // What an MTL map statement means for drawing.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@ namespace lustro {
 /// A map statement as the use of a texture that is yet to be read.
 struct MapUse {
   const TextureSlot* slot = nullptr;
+  std::size_t face = 0;                           ///< of a reflection map: which of ReflectionMap::faces
   TextureUse use{};                               ///< all but its texture
   bool states_channel = false;                    ///< -imfchan; else the picture decides
   bool may_be_normals = false;                    ///< `bump`: the picture may turn out to be a normal map
@@ -35,6 +37,9 @@ struct MapUse {
 /// Not done, and said by `note`: -t, -cc, -boost, -texres, -imfchan z; disp, refl and all other statements (nothing is returned for these).
 /// source  Ramey, Rose, Tyerman, MTL material format, options for texture map statements
 [[nodiscard]] std::optional<MapUse> use_of_map(const TextureMap& map, bool transparency_is_tr, const std::function<void(std::string)>& note);
+
+/// The same of a texture that a scene file states. `once` and wrapping are independent of each other. transfer  of the scene, for the border
+[[nodiscard]] MapUse use_of_stated(const StatedTexture& stated, const TextureSlot& slot, Transfer transfer);
 
 /// -bm for normals: their tilt, x and y, is multiplied.
 void tilt_normals(TextureUse& use, float factor);

@@ -82,7 +82,8 @@ HWY_INLINE bool are_alike(const ShadingMap& a, const ShadingMap& b) {
   const Sampler& s = a.sampler;
   const Sampler& t = b.sampler;
   return a.width == b.width && a.height == b.height && a.uv_set == b.uv_set && s.wrap_u == t.wrap_u && s.wrap_v == t.wrap_v &&
-         s.magnify == t.magnify && s.minify == t.minify && s.mip == t.mip && are_equal(a.uv_matrix, b.uv_matrix);
+         s.magnify == t.magnify && s.minify == t.minify && s.mip == t.mip && s.lod_bias == t.lod_bias && s.blend_u == t.blend_u &&
+         s.blend_v == t.blend_v && are_equal(a.uv_matrix, b.uv_matrix);
 }
 
 inline HWY_NOINLINE void find_places(const ShadingMap& map, std::size_t count, MapStrip& s) {

@@ -57,6 +57,18 @@ constexpr ValueKind kind_of_type() {
     return ValueKind::objects;
   } else if constexpr (std::is_same_v<V, Material>) {
     return ValueKind::material;
+  } else if constexpr (std::is_same_v<V, StatedTexture>) {
+    return ValueKind::texture;
+  } else if constexpr (std::is_same_v<V, StatedReflection>) {
+    return ValueKind::reflection;
+  } else if constexpr (std::is_same_v<V, WrapPair>) {
+    return ValueKind::wrap;
+  } else if constexpr (std::is_same_v<V, Vec2f>) {
+    return ValueKind::pair;
+  } else if constexpr (std::is_same_v<V, Vec3f>) {
+    return ValueKind::triple;
+  } else if constexpr (std::is_same_v<V, std::array<float, 6>>) {
+    return ValueKind::affine;
   } else if constexpr (std::is_same_v<V, std::monostate>) {
     return ValueKind::materials;
   } else {
@@ -224,6 +236,22 @@ struct ToText {
   requires kIsWord<E> std::string operator()(E value) const { return std::string(word_of(value)); }
   std::string operator()(const Attenuation& a) const { return (*this)(Vec3d{a.constant, a.linear, a.quadratic}); }
   std::string operator()(const Material& material) const { return material.name; }
+  std::string operator()(const StatedTexture& texture) const { return texture.file; }
+  std::string operator()(const StatedReflection& map) const { return (*this)(map.picture); }
+  std::string operator()(const std::array<float, 6>& matrix) const {
+    std::string text;
+    for (const float number : matrix) {
+      text += (text.empty() ? "" : ",") + number_text(number);
+    }
+    return text;
+  }
+  std::string operator()(const Vec3f& v) const {
+    return v.x == v.y && v.y == v.z ? number_text(v.x) : fmt::format("{},{},{}", number_text(v.x), number_text(v.y), number_text(v.z));
+  }
+  std::string operator()(const Vec2f& v) const { return fmt::format("{},{}", number_text(v.x), number_text(v.y)); }
+  std::string operator()(const WrapPair& wrap) const {
+    return wrap.u == wrap.v ? std::string(word_of(wrap.u)) : fmt::format("{},{}", word_of(wrap.u), word_of(wrap.v));
+  }
   std::string operator()(const std::vector<Light>& lights) const { return lights.empty() ? "none" : fmt::format("{} lights", lights.size()); }
   template <class V>
   std::string operator()(const std::optional<V>& value) const {
@@ -326,6 +354,8 @@ std::span<const Word> words_of_field(const Field<T>& field) {
     using Value = typename Optional<std::remove_cvref_t<V>>::Value;
     if constexpr (kIsWord<Value>) {
       return words_of<Value>();
+    } else if constexpr (std::is_same_v<Value, WrapPair>) {
+      return words_of<Wrap>();
     } else if constexpr (std::is_same_v<Value, TermSet>) {
       return term_words();
     } else {
@@ -369,6 +399,9 @@ LUSTRO_FIELDS_OF(Light)
 LUSTRO_FIELDS_OF(Attenuation)
 LUSTRO_FIELDS_OF(Fog)
 LUSTRO_FIELDS_OF(Material)
+LUSTRO_FIELDS_OF(StatedTextures)
+LUSTRO_FIELDS_OF(StatedTexture)
+LUSTRO_FIELDS_OF(StatedReflection)
 LUSTRO_FIELDS_OF(Object)
 LUSTRO_FIELDS_OF(Scene)
 #undef LUSTRO_FIELDS_OF
@@ -384,6 +417,11 @@ std::vector<FieldGroup> field_groups() {
       group_of<Attenuation>("lights[].attenuation", "1 / (c + l d + q d^2), or 1 / d^falloff, at the distance d"),
       group_of<Fog>("fog", "on the Euclidean distance from the eye to the point, after lighting; the background is not fogged"),
       group_of<Material>("materials.*", "the coefficients of a material"),
+      group_of<StatedTextures>("materials.*.textures",
+                               "what varies over the surface; colours multiply their coefficient, one value each the others"),
+      group_of<StatedTexture>("materials.*.textures.*", "one texture; a file's name alone stands for a table with that `file`"),
+      group_of<StatedReflection>("materials.*.textures.reflection",
+                                 "what a mirroring surface shows; a file's name alone stands for a table with that `picture`"),
       group_of<Object>("objects[]", "one object"),
   };
 }

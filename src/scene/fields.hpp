@@ -3,6 +3,7 @@
 // completions are all made from it.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <span>
@@ -33,11 +34,17 @@ enum class ValueKind : std::uint8_t {
   word,         ///< one of an enum's words
   terms,        ///< a list of words
   text,
-  table,      ///< an object with keys of its own: image, camera, shading, attenuation, fog
-  lights,     ///< a list of lights
-  objects,    ///< a list of objects
-  material,   ///< the name of a material or a table of its coefficients
-  materials,  ///< names and their materials
+  table,       ///< an object with keys of its own: image, camera, shading, attenuation, fog
+  lights,      ///< a list of lights
+  objects,     ///< a list of objects
+  material,    ///< the name of a material or a table of its coefficients
+  materials,   ///< names and their materials
+  texture,     ///< the name of a picture's file or a table
+  reflection,  ///< the same
+  wrap,        ///< a word, or a list of two: along u and along v
+  pair,        ///< [u, v]
+  triple,      ///< a number, or a list of three: of red, green and blue
+  affine,      ///< six numbers, row by row
 };
 
 /// The numbers that a key takes; each number of a vector, matrix or colour.
@@ -71,7 +78,10 @@ using Member =
                  Color T::*, ColorAlpha<T>, std::string T::*, TermSet T::*, Transfer T::*, Projection T::*, ViewPreset T::*, Lighting T::*,
                  std::optional<Lighting> T::*, Interpolation T::*, NormalInterpolation T::*, VertexNormals T::*, Culling T::*, LightType T::*,
                  SpotFade T::*, FogMode T::*, ImageSettings T::*, Camera T::*, Shading T::*, Attenuation T::*, std::optional<Fog> T::*,
-                 std::optional<std::vector<Light>> T::*, std::vector<Object> T::*, std::optional<Material> T::*, std::monostate>;
+                 std::optional<std::vector<Light>> T::*, std::vector<Object> T::*, std::optional<Material> T::*, AlphaMode T::*,
+                 StatedTextures T::*, std::optional<StatedTexture> T::*, std::optional<StatedReflection> T::*, ReflectionShape T::*,
+                 WrapPair T::*, TextureFilter T::*, MipFilter T::*, TextureChannel T::*, Vec2f T::*, Vec3f T::*,
+                 std::optional<std::array<float, 6>> T::*, std::monostate>;
 
 /// One key of the struct T.
 template <class T>
@@ -85,9 +95,14 @@ struct Field {
   std::string_view absent = {};  ///< what holds where the key is not stated, if the struct's default does not say it
 };
 
-/// The keys of T in the order of the documentation: ImageSettings, Camera, Shading, Light, Attenuation, Fog, Material, Object, Scene.
+/// The keys of T in the order of the documentation: ImageSettings, Camera, Shading, Light, Attenuation, Fog, Material, StatedTextures,
+/// StatedTexture, StatedReflection, Object, Scene.
 template <class T>
 [[nodiscard]] std::span<const Field<T>> fields();
+
+/// What a table of a material holds whose `textures` are these and that states nothing else: a colour that stands beside its texture is white,
+/// as in MTL files.
+[[nodiscard]] Material material_with(StatedTextures textures);
 
 /// A colour together with the alpha of its fourth number.
 struct ColorAlphaRef {

@@ -64,7 +64,10 @@ constexpr std::array kMaterialFields{
     Field<Material>{"emission", "", &Material::emission, "k_e", "", kColor},
     Field<Material>{"shininess", "", &Material::shininess, "the exponent n of the highlight", "", kExponent},
     Field<Material>{"opacity", "", &Material::opacity, "the share of what lies behind that it hides", "", kUnit},
+    Field<Material>{"alpha_mode", "", &Material::alpha_mode, "what the opacity means"},
+    Field<Material>{"alpha_cutoff", "", &Material::alpha_cutoff, "of alpha_mode mask: where the opacity is less there is nothing", "", kUnit},
     Field<Material>{"lighting", "", &Material::lighting, "this material's own way of being lit", "", {}, "that of `shading`"},
+    Field<Material>{"textures", "", &Material::stated_textures, "pictures of what varies over the surface", "", {}, "none"},
 };
 
 constexpr std::array kObjectFields{

@@ -43,6 +43,16 @@ std::string value_column(const FieldInfo& field) {
       return "name or table";
     case ValueKind::materials:
       return "table of names or tables";
+    case ValueKind::texture:
+    case ValueKind::reflection:
+      return "file or table";
+    case ValueKind::pair:
+      return "`[u, v]`";
+    case ValueKind::triple:
+      return "number, or `[r, g, b]`";
+    case ValueKind::affine:
+      return "six numbers";
+    case ValueKind::wrap:
     case ValueKind::word: {
       std::string text;
       for (const Word& word : field.words) {
@@ -59,6 +69,7 @@ std::string default_column(const FieldInfo& field) {
   switch (field.kind) {
     case ValueKind::color:
     case ValueKind::color_alpha:
+    case ValueKind::pair:
     case ValueKind::vector: {
       const bool is_list = !field.default_text.empty() && field.default_text.find_first_not_of("0123456789.,-") == std::string::npos;
       return is_list ? fmt::format("`[{}]`", field.default_text) : field.default_text;
@@ -67,6 +78,7 @@ std::string default_column(const FieldInfo& field) {
       return "identity";
     case ValueKind::terms:
       return "all";
+    case ValueKind::wrap:
     case ValueKind::word:
       return field.optional ? field.default_text : fmt::format("`{}`", field.default_text);
     default:

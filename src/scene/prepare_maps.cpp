@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lustro {
 namespace {
@@ -64,6 +65,7 @@ ShadingMap prepare_map(const TextureUse& use) {
   map.height = static_cast<float>(use.texture->height());
   map.sampler = use.sampler;
   map.sampler.anisotropy = std::clamp(use.sampler.anisotropy, 1, 16);
+  map.sampler.lod_bias = std::isfinite(use.sampler.lod_bias) ? std::clamp(use.sampler.lod_bias, -16.0F, 16.0F) : 0.0F;
   map.uv_set = use.uv_set;
   map.channel = use.channel;
   map.leaves_outside = use.leaves_outside;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -71,6 +73,105 @@ struct FromJson {
     return {};
   }
 
+  Result<void> operator()(Vec2f& to) const {
+    const auto read = numbers(2, 2, "a list of two numbers [u, v]");
+    if (!read) {
+      return tl::unexpected(read.error());
+    }
+    to = {static_cast<float>((*read)[0]), static_cast<float>((*read)[1])};
+    return {};
+  }
+
+  Result<void> operator()(Vec3f& to) const {
+    if (value.is_number()) {
+      const auto read = read_number(value, range, path);
+      if (!read) {
+        return tl::unexpected(read.error());
+      }
+      to.x = to.y = to.z = static_cast<float>(*read);
+      return {};
+    }
+    const auto read = numbers(3, 3, "a number, or a list of three [r, g, b]");
+    if (!read) {
+      return tl::unexpected(read.error());
+    }
+    to = {static_cast<float>((*read)[0]), static_cast<float>((*read)[1]), static_cast<float>((*read)[2])};
+    return {};
+  }
+
+  Result<void> operator()(std::array<float, 6>& to) const {
+    const auto read = numbers(6, 6, "a list of six numbers, row by row");
+    if (!read) {
+      return tl::unexpected(read.error());
+    }
+    std::transform(read->begin(), read->end(), to.begin(), [](double number) { return static_cast<float>(number); });
+    return {};
+  }
+
+  Result<void> operator()(WrapPair& to) const {
+    if (!value.is_array()) {
+      const auto word = read_word(value, words_of<Wrap>(), path);
+      if (!word) {
+        return tl::unexpected(word.error());
+      }
+      to.u = to.v = static_cast<Wrap>(*word);
+      return {};
+    }
+    if (value.size() != 2) {
+      return expected_at(path, fmt::format("a word or a list of two ({})", word_list(words_of<Wrap>())), value);
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto word = read_word(value[i], words_of<Wrap>(), path[i]);
+      if (!word) {
+        return tl::unexpected(word.error());
+      }
+      (i == 0 ? to.u : to.v) = static_cast<Wrap>(*word);
+    }
+    return {};
+  }
+
+  Result<void> operator()(StatedTexture& to) const {
+    if (value.is_string()) {
+      if (auto done = (*this)(to.file); !done) {
+        return done;
+      }
+    } else if (!value.is_object()) {
+      return expected_at(path, "the name of a picture's file or a table", value);
+    } else if (auto done = stands_alone("matrix", {"offset", "scale", "rotation"}); !done) {
+      return done;
+    } else if (auto read = read_table(value, to, path, materials); !read) {
+      return read;
+    }
+    if (to.file.empty()) {
+      return fail_at(value.is_object() ? path / "file" : path, "is missing, expected the name of a picture's file");
+    }
+    return {};
+  }
+
+  /// A sphere has its picture, a cube its six.
+  Result<void> operator()(StatedReflection& to) const {
+    if (value.is_string()) {
+      return (*this)(to.picture);
+    }
+    if (!value.is_object()) {
+      return expected_at(path, "the name of a picture's file or a table", value);
+    }
+    if (auto done = read_table(value, to, path, materials); !done) {
+      return done;
+    }
+    const bool is_cube = to.shape == ReflectionShape::cube;
+    for (const char* key : {"picture", "right", "left", "top", "bottom", "front", "back"}) {
+      const bool is_of_cube = std::string_view(key) != "picture";
+      if (is_of_cube == is_cube && !value.contains(key)) {
+        return fail_at(path / key, fmt::format("is missing, expected {}", is_cube ? "six pictures of a cube" : "the picture of a sphere"));
+      }
+      if (is_of_cube != is_cube && value.contains(key)) {
+        return fail_at(path / key, fmt::format("belongs to shape {}, found shape {}", is_cube ? "sphere" : "cube", word_of(to.shape)));
+      }
+    }
+    return {};
+  }
+
   Result<void> operator()(Mat4& to) const {
     const auto read = numbers(16, 16, "a list of 16 numbers, row by row");
     if (!read) {
@@ -130,12 +231,8 @@ struct FromJson {
   }
 
   Result<void> operator()(Attenuation& to) const {
-    if (value.is_object() && value.contains("falloff")) {
-      for (const char* other : {"constant", "linear", "quadratic"}) {
-        if (value.contains(other)) {
-          return fail_at(path, fmt::format("states both falloff and {}, expected falloff alone or constant, linear and quadratic", other));
-        }
-      }
+    if (auto done = stands_alone("falloff", {"constant", "linear", "quadratic"}); !done) {
+      return done;
     }
     return read_table(value, to, path, materials);
   }
@@ -145,7 +242,7 @@ struct FromJson {
       if (!value.is_object()) {
         return expected_at(path, "the name of a material or a table", value);
       }
-      return read_table(value, to, path, materials);
+      return read_material(to);
     }
     const auto& name = value.get_ref<const std::string&>();
     if (const auto named = materials.find(name); named != materials.end()) {
@@ -193,6 +290,32 @@ struct FromJson {
   }
 
  private:
+  /// Its textures say what is not stated.
+  Result<void> read_material(Material& to) const {
+    if (const auto found = value.find("textures"); found != value.end()) {
+      StatedTextures textures;
+      const JsonPath place = path / "textures";
+      if (auto done = FromJson{*found, range, place, materials}(textures); !done) {
+        return done;
+      }
+      std::string name = std::move(to.name);
+      to = material_with(std::move(textures));
+      to.name = std::move(name);
+    }
+    return read_table(value, to, path, materials);
+  }
+
+  /// A key that stands in place of three others.
+  [[nodiscard]] Result<void> stands_alone(const char* key, const std::array<const char*, 3>& others) const {
+    for (const char* other : others) {
+      if (value.is_object() && value.contains(key) && value.contains(other)) {
+        return fail_at(
+            path, fmt::format("states both {} and {}, expected {} alone or {}, {} and {}", key, other, key, others[0], others[1], others[2]));
+      }
+    }
+    return {};
+  }
+
   template <class N>
   Result<void> number(N& to) const {
     const auto read = read_number(value, range, path);

@@ -107,7 +107,7 @@ Schema value_schema(const FieldInfo& field) {
     case ValueKind::terms:
       return terms_schema();
     case ValueKind::text:
-      return field.key == "mesh" ? mesh_schema() : text_schema();
+      return field.key == "mesh" || field.key == "file" ? mesh_schema() : text_schema();
     case ValueKind::table:
       return reference(field.key);
     case ValueKind::lights:
@@ -116,6 +116,18 @@ Schema value_schema(const FieldInfo& field) {
       return {{"type", "array"}, {"items", reference("object")}};
     case ValueKind::material:
       return {{"anyOf", Schema::array({{{"type", "string"}}, reference("material")})}};
+    case ValueKind::texture:
+      return {{"anyOf", Schema::array({mesh_schema(), reference("texture")})}};
+    case ValueKind::reflection:
+      return {{"anyOf", Schema::array({mesh_schema(), reference("reflection")})}};
+    case ValueKind::triple:
+      return {{"anyOf", Schema::array({number_schema(field.range, "number"), list_schema(number_schema(field.range, "number"), 3, 3)})}};
+    case ValueKind::affine:
+      return list_schema(number_schema(field.range, "number"), 6, 6);
+    case ValueKind::pair:
+      return list_schema(number_schema(field.range, "number"), 2, 2);
+    case ValueKind::wrap:
+      return {{"anyOf", Schema::array({words_schema(field.words), list_schema(words_schema(field.words), 2, 2)})}};
     case ValueKind::materials: {
       std::vector<std::string> names;
       for (const Material& material : material_library()) {
@@ -150,7 +162,7 @@ Schema table_schema(const FieldGroup& group) {
     Schema schema{{"description", description_of(field)}};
     schema.update(value_schema(field));
     properties[std::string(field.key)] = std::move(schema);
-    if (field.key == "objects" || field.key == "mesh") {
+    if (field.key == "objects" || field.key == "mesh" || field.key == "file") {
       required.emplace_back(field.key);
     }
   }
@@ -163,8 +175,13 @@ Schema table_schema(const FieldGroup& group) {
 
 /// `lights[]` is the table `light`, `materials.*` the table `material`, ...
 std::string_view table_name(std::string_view path) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kNames{
-      {{"lights[]", "light"}, {"lights[].attenuation", "attenuation"}, {"materials.*", "material"}, {"objects[]", "object"}}};
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kNames{{{"lights[]", "light"},
+                                                                                 {"lights[].attenuation", "attenuation"},
+                                                                                 {"materials.*", "material"},
+                                                                                 {"materials.*.textures", "textures"},
+                                                                                 {"materials.*.textures.*", "texture"},
+                                                                                 {"materials.*.textures.reflection", "reflection"},
+                                                                                 {"objects[]", "object"}}};
   for (const auto& [from, to] : kNames) {
     if (path == from) {
       return to;
@@ -193,6 +210,14 @@ std::string scene_schema() {
   // A falloff stands alone.
   definitions["attenuation"]["if"] = {{"required", {"falloff"}}};
   definitions["attenuation"]["then"]["properties"] = {{"constant", false}, {"linear", false}, {"quadratic", false}};
+  // A matrix stands in place of three keys; a sphere has one picture, a cube has six.
+  definitions["texture"]["if"] = {{"required", {"matrix"}}};
+  definitions["texture"]["then"]["properties"] = {{"offset", false}, {"scale", false}, {"rotation", false}};
+  Schema& reflection = definitions["reflection"];
+  reflection["if"] = {{"properties", {{"shape", {{"const", "cube"}}}}}, {"required", {"shape"}}};
+  reflection["then"] = {{"required", {"right", "left", "top", "bottom", "front", "back"}}, {"properties", {{"picture", false}}}};
+  reflection["else"]["required"] = {"picture"};
+  reflection["else"]["properties"] = {{"right", false}, {"left", false}, {"top", false}, {"bottom", false}, {"front", false}, {"back", false}};
   root["properties"][std::string(kSchemaKey)] = {{"description", "where editors find this schema"}, {"type", "string"}};
 
   Schema schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Lustro scene file"}};

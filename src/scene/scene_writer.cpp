@@ -56,6 +56,30 @@ struct ToJson {
   std::string operator()(float value) const { return number_json(value); }
   std::string operator()(double value) const { return number_json(value); }
   std::string operator()(const Vec3d& v) const { return list_json({number_json(v.x), number_json(v.y), number_json(v.z)}); }
+  std::string operator()(const Vec2f& v) const { return list_json({number_json(v.x), number_json(v.y)}); }
+  std::string operator()(const WrapPair& wrap) const {
+    return wrap.u == wrap.v ? (*this)(wrap.u) : list_json({(*this)(wrap.u), (*this)(wrap.v)});
+  }
+  std::string operator()(const Vec3f& v) const {
+    return v.x == v.y && v.y == v.z ? number_json(v.x) : list_json({number_json(v.x), number_json(v.y), number_json(v.z)});
+  }
+  std::string operator()(const std::array<float, 6>& matrix) const {
+    std::vector<std::string> numbers;
+    for (const float number : matrix) {
+      numbers.push_back(number_json(number));
+    }
+    return list_json(numbers);
+  }
+  std::string operator()(const StatedReflection& map) const {
+    StatedReflection plain;
+    plain.picture = map.picture;
+    return map.picture && map == plain ? (*this)(*map.picture) : table_json(map, indent, shared);
+  }
+  std::string operator()(const StatedTexture& texture) const {
+    StatedTexture plain;
+    plain.file = texture.file;
+    return texture == plain ? text_json(texture.file) : table_json(texture, indent, shared);
+  }
   std::string operator()(const Mat4& matrix) const {
     std::vector<std::string> numbers;
     for (const double number : matrix.m) {
@@ -123,11 +147,13 @@ struct ToJson {
   }
 };
 
-/// With a falloff the file has no place for the three other coefficients.
+/// With a falloff the file has no place for the three other coefficients, with a matrix none for what it stands for.
 template <class T>
 bool is_left_out(const T& object, std::string_view key) {
   if constexpr (std::is_same_v<T, Attenuation>) {
     return object.falloff && (key == "constant" || key == "linear" || key == "quadratic");
+  } else if constexpr (std::is_same_v<T, StatedTexture>) {
+    return object.matrix && (key == "offset" || key == "scale" || key == "rotation");
   } else {
     return false;
   }
@@ -144,10 +170,22 @@ std::string field_json(const T& object, const Field<T>& field, int indent, const
   return visit_value(copy, field, [&](const auto& value) { return ToJson{indent, shared}(value); });
 }
 
+/// What a table holds that states nothing, or nothing but its textures.
+template <class T>
+T standard_of(const T& object) {
+  if constexpr (std::is_same_v<T, Material>) {
+    Material standard = material_with(object.stated_textures);
+    standard.stated_textures = {};
+    return standard;
+  } else {
+    return {};
+  }
+}
+
 /// `{"key": value, ...}`, on one line unless it holds tables or lists of tables.
 template <class T>
 std::string table_json(const T& object, int indent, const SharedMaterials& shared) {
-  const T standard;
+  const T standard = standard_of(object);
   const SharedMaterials none;
   constexpr bool kIsScene = std::is_same_v<T, Scene>;
   std::vector<std::string> lines;

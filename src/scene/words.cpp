@@ -39,6 +39,38 @@ constexpr std::array kCulling{
     word(Culling::back, "back", "faces that are seen from behind are left out: of a closed mesh nothing is missed"),
     word(Culling::front, "front", "faces that are seen from the front are left out: a look inside"),
 };
+constexpr std::array kWrap{
+    word(Wrap::repeat, "repeat", "the picture again"),
+    word(Wrap::mirrored_repeat, "mirrored_repeat", "the picture again, every other one mirrored"),
+    word(Wrap::clamp_to_edge, "clamp_to_edge", "the texels of the edge"),
+    word(Wrap::clamp_to_border, "clamp_to_border", "the colour `border`"),
+};
+constexpr std::array kTextureFilter{
+    word(TextureFilter::nearest, "nearest", "the nearest texel"),
+    word(TextureFilter::linear, "linear", "the four around the place, blended"),
+};
+constexpr std::array kMipFilter{
+    word(MipFilter::none, "none", "the picture itself, however small it appears"),
+    word(MipFilter::nearest, "nearest", "the level next to the footprint's size"),
+    word(MipFilter::linear, "linear", "the two levels around it, blended"),
+};
+constexpr std::array kTextureChannel{
+    word(TextureChannel::automatic, "auto", "the luminance; of opacity the alpha of a picture that has one"),
+    word(TextureChannel::red, "red", "the first channel"),
+    word(TextureChannel::green, "green", "the second one"),
+    word(TextureChannel::blue, "blue", "the third one"),
+    word(TextureChannel::alpha, "alpha", "the fourth one; 1 where there is none"),
+    word(TextureChannel::luminance, "luminance", "0.2126 red + 0.7152 green + 0.0722 blue"),
+};
+constexpr std::array kReflectionShape{
+    word(ReflectionShape::sphere, "sphere", "one picture: longitude from left to right, its middle towards -z, +y at its top"),
+    word(ReflectionShape::cube, "cube", "six pictures"),
+};
+constexpr std::array kAlphaMode{
+    word(AlphaMode::blend, "blend", "the share of what lies behind that is hidden"),
+    word(AlphaMode::mask, "mask", "there is a surface where it is alpha_cutoff or more, else nothing"),
+    word(AlphaMode::opaque, "opaque", "nothing: the surface hides what lies behind"),
+};
 constexpr std::array kTransfer{
     word(Transfer::none, "none", "every colour as it stands, stored as it is, as classic OpenGL did"),
     word(Transfer::srgb, "srgb", "lit in linear light, stored with the sRGB encoding"),
@@ -90,6 +122,12 @@ template <> std::span<const Word> words_of<Interpolation>() { return kInterpolat
 template <> std::span<const Word> words_of<NormalInterpolation>() { return kNormalInterpolation; }
 template <> std::span<const Word> words_of<VertexNormals>() { return kVertexNormals; }
 template <> std::span<const Word> words_of<Culling>() { return kCulling; }
+template <> std::span<const Word> words_of<Wrap>() { return kWrap; }
+template <> std::span<const Word> words_of<TextureFilter>() { return kTextureFilter; }
+template <> std::span<const Word> words_of<MipFilter>() { return kMipFilter; }
+template <> std::span<const Word> words_of<TextureChannel>() { return kTextureChannel; }
+template <> std::span<const Word> words_of<ReflectionShape>() { return kReflectionShape; }
+template <> std::span<const Word> words_of<AlphaMode>() { return kAlphaMode; }
 template <> std::span<const Word> words_of<Transfer>() { return kTransfer; }
 template <> std::span<const Word> words_of<Projection>() { return kProjection; }
 template <> std::span<const Word> words_of<ViewPreset>() { return kViewPreset; }

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "lustro/material.hpp"
 #include "lustro/options.hpp"
 #include "lustro/result.hpp"
 
@@ -21,7 +22,8 @@ struct Word {
 };
 
 /// The words of E in the order of its values: Lighting, Interpolation, NormalInterpolation, VertexNormals, Culling, Transfer, Projection,
-/// ViewPreset, LightType, SpotFade, GltfShading, FogMode.
+/// ViewPreset, LightType, SpotFade, GltfShading, FogMode, Wrap, TextureFilter, MipFilter, TextureChannel,
+/// ReflectionShape, AlphaMode.
 template <class E>
 [[nodiscard]] std::span<const Word> words_of();
 

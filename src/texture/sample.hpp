@@ -150,7 +150,10 @@ LUSTRO_INLINE AxisPlace<F> linear_on_axis(Wrap wrap, const F& c, const IntOf<F>&
 }
 
 template <class F, class M>
-LUSTRO_INLINE AxisPlace<F> on_axis(const Sampler& sampler, Wrap wrap, const F& c, const IntOf<F>& size, const M& is_magnified) {
+LUSTRO_INLINE AxisPlace<F> on_axis(const Sampler& sampler, Wrap wrap, bool blends, const F& c, const IntOf<F>& size, const M& is_magnified) {
+  if (!blends) {
+    return nearest_on_axis(wrap, c, size);
+  }
   if (sampler.magnify == sampler.minify) {
     return sampler.magnify == TextureFilter::linear ? linear_on_axis(wrap, c, size) : nearest_on_axis(wrap, c, size);
   }
@@ -165,8 +168,8 @@ LUSTRO_INLINE AxisPlace<F> on_axis(const Sampler& sampler, Wrap wrap, const F& c
 template <class F, class M>
 TexelQuad<F> quad_at(const Sampler& sampler, const LevelPlace<F>& level, const F& u, const F& v, const M& is_magnified) {
   using I = IntOf<F>;
-  const AxisPlace<F> x = on_axis(sampler, sampler.wrap_u, u, level.width, is_magnified);
-  const AxisPlace<F> y = on_axis(sampler, sampler.wrap_v, v, level.height, is_magnified);
+  const AxisPlace<F> x = on_axis(sampler, sampler.wrap_u, sampler.blend_u, u, level.width, is_magnified);
+  const AxisPlace<F> y = on_axis(sampler, sampler.wrap_v, sampler.blend_v, v, level.height, is_magnified);
   const I next = y.texel + I(1);
   const I below = select(next < level.height, next, sampler.wrap_v == Wrap::repeat ? I(0) : y.texel);
   const I left = level.first + x.texel;
@@ -175,7 +178,7 @@ TexelQuad<F> quad_at(const Sampler& sampler, const LevelPlace<F>& level, const F
 
 }  // namespace texture_detail
 
-/// lod = log2(rho / looks): 8.14.1, with rho the footprint's long axis in texels of the picture.
+/// lod = log2(rho / looks) + bias: 8.14.1, with rho the footprint's long axis in texels of the picture.
 template <class F>
 LUSTRO_INLINE FootprintSize<F> size_of_footprint(const Sampler& sampler, float width, float height, const Footprint<F>& at) {
   const F ux = at.u_dx * F(width), vx = at.v_dx * F(height);
@@ -187,13 +190,13 @@ LUSTRO_INLINE FootprintSize<F> size_of_footprint(const Sampler& sampler, float w
   const F long2 = select(is_along_x, x2, y2);
   FootprintSize<F> size{F(0), F(1), F(0), F(0)};
   if (sampler.anisotropy <= 1) {
-    size.lod = log2_of(long2) * F(0.5F);
+    size.lod = log2_of(long2) * F(0.5F) + F(sampler.lod_bias);
     return size;
   }
   const F short2 = lane_max(select(is_along_x, y2, x2), F(1));
   const F ratio = square_root(long2 / short2);
   size.looks = lane_max(-floor_of(-lane_min(ratio, F(static_cast<float>(sampler.anisotropy)))), F(1));
-  size.lod = log2_of(long2 / (size.looks * size.looks)) * F(0.5F);
+  size.lod = log2_of(long2 / (size.looks * size.looks)) * F(0.5F) + F(sampler.lod_bias);
   size.u_long = texture_detail::finite_or_zero(select(is_along_x, at.u_dx, at.u_dy));
   size.v_long = texture_detail::finite_or_zero(select(is_along_x, at.v_dx, at.v_dy));
   return size;

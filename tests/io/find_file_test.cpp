@@ -34,9 +34,9 @@ TEST(FindTexture, NamesAreRelativeToTheMtlFileWithSlashesOfEitherKind) {
 TEST(FindTexture, TheFolderAroundTheModelsIsInsideAndWhatLiesBeyondIsNot) {
   const Tree tree;
   EXPECT_EQ(tree.find("../textures/c.png").path, tree.folder() / "../textures/c.png");
-  EXPECT_EQ(tree.problem("../../secret.png"), "\"../../secret.png\" leads out of the model's folder and the one around it");
-  EXPECT_EQ(tree.problem("../../nothing.png"), "\"../../nothing.png\" leads out of the model's folder and the one around it");
-  EXPECT_EQ(tree.problem("tex/../../../secret.png"), "\"tex/../../../secret.png\" leads out of the model's folder and the one around it");
+  EXPECT_EQ(tree.problem("../../secret.png"), "\"../../secret.png\" leads out of its folder and the one around it");
+  EXPECT_EQ(tree.problem("../../nothing.png"), "\"../../nothing.png\" leads out of its folder and the one around it");
+  EXPECT_EQ(tree.problem("tex/../../../secret.png"), "\"tex/../../../secret.png\" leads out of its folder and the one around it");
 }
 
 TEST(FindTexture, ALinkCountsAsWhatItPointsTo) {
@@ -64,7 +64,7 @@ TEST(FindTexture, AnAbsoluteNameStandsForItsLastPartBesideTheMtlFile) {
 TEST(FindTexture, AFolderThatDidNotComeAlongIsOverlooked) {
   const Tree tree;
   EXPECT_EQ(tree.find("maps/a.png").path, tree.folder() / "a.png");
-  EXPECT_EQ(tree.find("maps/a.png").note, "\"maps/a.png\" is missing: the file of that name beside the MTL file is used");
+  EXPECT_EQ(tree.find("maps/a.png").note, "\"maps/a.png\" is missing: the file of that name beside the one that names it is used");
 }
 
 TEST(FindTexture, TheCaseOfLettersIsTheLastThingOverlooked) {

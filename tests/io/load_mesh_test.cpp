@@ -109,7 +109,7 @@ TEST(LoadMesh, MapsAreLookedForBesideTheirLibrary) {
   const SourceMesh mesh = load(folder, "a.obj");
   EXPECT_THAT(texts(mesh.notes),
               ElementsAre("lib/a.mtl: map_Ka: the texture \"D:\\x\\wood.png\" is an absolute path, which is not followed: the file of that name "
-                          "beside the MTL file is used",
+                          "beside the one that names it is used",
                           "lib/a.mtl: map_Ns: the texture \"gone.png\" is missing; drawn without it"));
   const MaterialTextures& textures = mesh.materials.at(0).textures;
   ASSERT_TRUE(textures.diffuse && textures.specular && textures.ambient);

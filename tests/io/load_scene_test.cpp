@@ -1,11 +1,16 @@
 // Scene files and bare meshes with their meshes.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
+#include "io_testing.hpp"
+#include "lustro/image.hpp"
 #include "lustro/scene.hpp"
 #include "shared_dir.hpp"
+#include "temporary_folder.hpp"
+#include "texture/texture.hpp"
 
 namespace lustro {
 namespace {
@@ -221,6 +226,71 @@ TEST(LoadSceneAssets, EveryRealMeshIsAScene) {
     }
   }
   EXPECT_GT(loaded, 10);
+}
+
+TEST(LoadScene, TexturesOfASceneFileAreReadByItsTransfer) {
+  const TemporaryFolder folder;
+  Image half(1, 1, 3);
+  half.pixels = {0.6F, 0.6F, 0.6F};
+  ASSERT_TRUE(write_image(folder.path / "half.png", half, {.transfer = Transfer::none}));
+  for (const std::string transfer : {"srgb", "none"}) {
+    folder.write("scene.json", R"({"image": {"transfer": ")" + transfer + R"("}, "materials": {"m": {"textures": {"diffuse": "half.png",
+      "specular": "gone.png", "bump": "half.png", "displacement": "half.png", "reflection": {"picture": "half.png"}, "object_space": true}}},
+      "objects": [{"mesh": "primitive:plane", "material": "m"}, {"mesh": "primitive:cube", "material": "m"}]})");
+    const LoadedScene loaded = good(load_scene(folder.path / "scene.json"));
+    const MaterialTextures& textures = loaded.scene.objects[0].material->textures;
+    ASSERT_TRUE(textures.diffuse && textures.diffuse->texture && textures.bump && textures.bump->texture);
+    EXPECT_NEAR(textures.diffuse->texture->texel(0, 0, 0)[0], transfer == "srgb" ? 0.3185F : 0.6F, 1e-3);
+    EXPECT_NEAR(textures.bump->texture->texel(0, 0, 0)[0], 0.6F, 1e-3);
+    EXPECT_TRUE(textures.normal_is_object_space);
+    EXPECT_FALSE(textures.specular);
+    ASSERT_TRUE(textures.displacement && textures.reflection && textures.reflection->faces[0]);
+    EXPECT_EQ(textures.displacement->texture, textures.bump->texture);
+    EXPECT_EQ(textures.reflection->faces[0]->texture, textures.diffuse->texture);
+    EXPECT_EQ(textures.reflection->shape, ReflectionShape::sphere);
+    EXPECT_EQ(loaded.scene.objects[1].material->textures, textures);  // one file, read once
+    ASSERT_EQ(loaded.notes.size(), 1U);
+    EXPECT_THAT(loaded.notes[0].text(), testing::HasSubstr("material \"m\": specular: the texture "));
+    const Error strict = load_scene(folder.path / "scene.json", {.strict = true}).error();
+    EXPECT_EQ(strict.kind, ErrorKind::io);
+    EXPECT_EQ(strict.text(), (folder.path / "scene.json").string() + ": material \"m\": specular: the texture \"gone.png\" is missing");
+    EXPECT_EQ(parse_scene(scene_json(loaded.scene))->objects[0].material->stated_textures, loaded.scene.objects[0].material->stated_textures);
+  }
+}
+
+TEST(LoadScene, ACubeHasSixPicturesAndOneThatIsMissingIsLeftOut) {
+  const TemporaryFolder folder;
+  Image gray(1, 1, 3);
+  for (const std::string name : {"r", "l", "t", "b", "f"}) {
+    gray.pixels = {name == "r" ? 1.0F : 0.0F, 0, name == "f" ? 1.0F : 0.0F};
+    ASSERT_TRUE(write_image(folder.path / (name + ".png"), gray, {.transfer = Transfer::none}));
+  }
+  folder.write("scene.json", R"({"objects": [{"mesh": "primitive:cube", "material": {"textures": {"reflection":
+    {"shape": "cube", "right": "r.png", "left": "l.png", "top": "t.png", "bottom": "b.png", "front": "f.png", "back": "k.png"}}}}]})");
+  const LoadedScene loaded = good(load_scene(folder.path / "scene.json"));
+  const auto& map = loaded.scene.objects[0].material->textures.reflection;
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->shape, ReflectionShape::cube);
+  ASSERT_TRUE(map->faces[0] && map->faces[4]);
+  EXPECT_EQ(map->faces[0]->texture->texel(0, 0, 0)[0], 1);
+  EXPECT_EQ(map->faces[4]->texture->texel(0, 0, 0)[2], 1);
+  EXPECT_FALSE(map->faces[5]);
+  ASSERT_EQ(loaded.notes.size(), 1U);
+  EXPECT_EQ(loaded.notes[0].text(), "objects[0].material.textures: reflection.back: the texture \"k.png\" is missing; drawn without it");
+}
+
+TEST(LoadScene, TexturesOutsideOfTheScenesTreeAreNotRead) {
+  const TemporaryFolder folder;
+  Image gray(1, 1, 3);
+  ASSERT_TRUE(write_image(folder.path / "secret.png", gray, {}));
+  std::filesystem::create_directories(folder.path / "a/b/c");
+  folder.write("a/b/c/scene.json",
+               R"({"objects": [{"mesh": "primitive:cube", "material": {"name": "m", "textures": {"diffuse": "../../../secret.png"}}}]})");
+  const LoadedScene loaded = good(load_scene(folder.path / "a/b/c/scene.json"));
+  EXPECT_FALSE(loaded.scene.objects[0].material->textures.diffuse);
+  ASSERT_EQ(loaded.notes.size(), 1U);
+  EXPECT_EQ(loaded.notes[0].text(),
+            "material \"m\": diffuse: the texture \"../../../secret.png\" leads out of its folder and the one around it; drawn without it");
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "io/map_texture.hpp"
 
+#include <algorithm>
+
 #include "io/io_testing.hpp"
 #include "io/mtl.hpp"
 
@@ -120,6 +122,76 @@ TEST(MapTexture, OptionsWithoutEffectAreNoted) {
                           "map_Kd: -cc is ignored: colours are decoded by the scene's transfer alone",
                           "map_Kd: -boost is ignored: mip levels are as sharp as the picture allows",
                           "map_Kd: -texres is ignored: pictures are used at their own size"));
+}
+
+const TextureSlot& slot(std::string_view key) {
+  return *std::ranges::find(kTextureSlots, key, &TextureSlot::key);
+}
+
+TEST(StatedTextures, CoordinatesAreScaledTurnedAndMovedInThisOrder) {
+  StatedTexture stated{.file = "a.png"};
+  stated.scale = {2, 4};
+  stated.rotation = 90;
+  stated.offset = {0.5F, 0.25F};
+  stated.v_down = true;
+  // (0.25, 0.125) becomes (0.5, 0.5), then (-0.5, 0.5), then (0, 0.75)
+  EXPECT_THAT(placed(use_of_stated(stated, slot("diffuse"), Transfer::srgb).use, 0.25F, 0.125F), ElementsAre(0, 0.75F));
+  stated.v_down = false;
+  EXPECT_THAT(placed(use_of_stated(stated, slot("diffuse"), Transfer::srgb).use, 0.25F, 0.125F), ElementsAre(0, 0.25F));
+  EXPECT_THAT(placed(use_of_stated({.file = "a.png"}, slot("diffuse"), Transfer::srgb).use, 0.25F, 0.75F), ElementsAre(0.25F, 0.25F));
+}
+
+TEST(StatedTextures, AMatrixStandsForThePlacement) {
+  StatedTexture stated{.file = "a.png"};
+  stated.matrix = {2, 0.5F, 0.25F, -1, 4, 0.5F};
+  stated.v_down = true;
+  // (0.5, 0.25) becomes (1 + 0.125 + 0.25, -0.5 + 1 + 0.5)
+  EXPECT_THAT(placed(use_of_stated(stated, slot("diffuse"), Transfer::srgb).use, 0.5F, 0.25F), ElementsAre(1.375F, 1));
+  stated.v_down = false;
+  EXPECT_THAT(placed(use_of_stated(stated, slot("diffuse"), Transfer::srgb).use, 0.5F, 0.25F), ElementsAre(1.375F, 0));
+}
+
+TEST(StatedTextures, AnEncodedBorderIsDecodedWithColours) {
+  StatedTexture stated{.file = "a.png"};
+  stated.border = {{0.5F, 0, 1}, ColorSpace::encoded};
+  const auto red = [&](std::string_view key, Transfer transfer) { return use_of_stated(stated, slot(key), transfer).use.sampler.border[0]; };
+  EXPECT_NEAR(red("diffuse", Transfer::srgb), 0.21404114F, 1e-6F);
+  EXPECT_EQ(red("diffuse", Transfer::none), 0.5F);
+  EXPECT_EQ(red("bump", Transfer::srgb), 0.5F);
+}
+
+TEST(StatedTextures, EveryKeyReachesTheUse) {
+  StatedTexture stated{.file = "a.png", .wrap = {Wrap::mirrored_repeat, Wrap::clamp_to_edge}, .magnify = TextureFilter::nearest};
+  stated.minify = TextureFilter::nearest;
+  stated.mip = MipFilter::none;
+  stated.anisotropy = 8;
+  stated.uv_set = 1;
+  stated.gain = {2, 3, 4};
+  stated.base = {-1, 0, 1};
+  stated.lod_bias = -2;
+  stated.border = {{0.5F, 0.25F, 1}};
+  stated.border_alpha = 0.75F;
+  stated.channel = TextureChannel::blue;
+  stated.once = true;
+  const MapUse map = use_of_stated(stated, slot("opacity"), Transfer::srgb);
+  EXPECT_EQ(map.use.name, "a.png");
+  EXPECT_EQ(map.use.sampler, (Sampler{.wrap_u = Wrap::mirrored_repeat,
+                                      .wrap_v = Wrap::clamp_to_edge,
+                                      .magnify = TextureFilter::nearest,
+                                      .minify = TextureFilter::nearest,
+                                      .mip = MipFilter::none,
+                                      .anisotropy = 8,
+                                      .border = {0.5F, 0.25F, 1, 0.75F},
+                                      .lod_bias = -2}));
+  EXPECT_EQ(map.use.uv_set, 1);
+  EXPECT_EQ(map.use.gain, (Vec3f{2, 3, 4}));
+  EXPECT_EQ(map.use.base, (Vec3f{-1, 0, 1}));
+  EXPECT_EQ(map.use.channel, 2);
+  EXPECT_TRUE(map.states_channel);
+  EXPECT_TRUE(map.use.leaves_outside);
+  stated.channel = TextureChannel::luminance;
+  EXPECT_EQ(use_of_stated(stated, slot("opacity"), Transfer::srgb).use.channel, 4);
+  EXPECT_FALSE(use_of_stated({.file = "a.png"}, slot("opacity"), Transfer::srgb).states_channel);
 }
 
 }  // namespace

@@ -31,10 +31,11 @@ TEST(Fields, HaveUniqueKeysFlagsAndHelp) {
         EXPECT_TRUE(flags.insert(field.flag).second) << field.flag;
         EXPECT_TRUE(field.flag.starts_with("--")) << field.flag;
       }
-      EXPECT_EQ(field.words.empty(), field.kind != ValueKind::word && field.kind != ValueKind::terms) << field.key;
+      EXPECT_EQ(field.words.empty(), field.kind != ValueKind::word && field.kind != ValueKind::terms && field.kind != ValueKind::wrap)
+          << field.key;
     }
   }
-  EXPECT_EQ(paths.size(), 68U);
+  EXPECT_EQ(paths.size(), 68U + 3 + 12 + 18 + 8);
 }
 
 /// Every default, written as text and read back, is the default: no range excludes it and no kind loses it.
@@ -79,6 +80,11 @@ TEST(Fields, DefaultsAreThoseOfTheSceneFormat) {
   EXPECT_EQ(default_text(field_of<Material>("ambient")), "0.2,0.2,0.2");
   EXPECT_EQ(default_text(field_of<Material>("diffuse")), "0.8,0.8,0.8");
   EXPECT_EQ(default_text(field_of<ImageSettings>("transfer")), "srgb");
+  EXPECT_EQ(default_text(field_of<Material>("alpha_mode")), "blend");
+  EXPECT_EQ(default_text(field_of<Material>("alpha_cutoff")), "0.5");
+  EXPECT_EQ(default_text(field_of<StatedTexture>("mip")), "linear");
+  EXPECT_EQ(default_text(field_of<StatedTexture>("scale")), "1,1");
+  EXPECT_EQ(default_text(field_of<StatedTexture>("gain")), "1");
   EXPECT_EQ(default_text(field_of<Object>("matrix")), "1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1");
 }
 
@@ -95,6 +101,14 @@ TEST(Fields, KindsFollowTheMembers) {
   EXPECT_EQ(kind_of(field_of<Scene>("materials")), ValueKind::materials);
   EXPECT_EQ(kind_of(field_of<Scene>("lights")), ValueKind::lights);
   EXPECT_EQ(kind_of(field_of<Object>("material")), ValueKind::material);
+  EXPECT_EQ(kind_of(field_of<StatedTextures>("bump")), ValueKind::texture);
+  EXPECT_EQ(kind_of(field_of<StatedTextures>("reflection")), ValueKind::reflection);
+  EXPECT_EQ(kind_of(field_of<StatedTexture>("wrap")), ValueKind::wrap);
+  EXPECT_EQ(words_of_field(field_of<StatedTexture>("wrap")).size(), 4U);
+  EXPECT_EQ(kind_of(field_of<StatedTexture>("offset")), ValueKind::pair);
+  EXPECT_EQ(kind_of(field_of<StatedTexture>("gain")), ValueKind::triple);
+  EXPECT_EQ(kind_of(field_of<StatedTexture>("matrix")), ValueKind::affine);
+  EXPECT_EQ(kind_of(field_of<StatedTexture>("border")), ValueKind::color_alpha);
 }
 
 TEST(Fields, AFailedTextLeavesTheValueAndNamesTheFlag) {

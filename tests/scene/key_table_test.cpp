@@ -59,7 +59,7 @@ TEST(KeyTable, EveryExampleOfThePageIsAScene) {
     EXPECT_TRUE(parse_scene(scene_json(*scene)));
     ++examples;
   }
-  EXPECT_EQ(examples, 5);
+  EXPECT_EQ(examples, 6);
 }
 
 TEST(ExampleScenes, AreScenesWithEveryKindOfLightFogAndCamera) {

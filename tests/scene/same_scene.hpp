@@ -1,6 +1,8 @@
 // Whether two scenes are the same, member by member and bit by bit.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <string>
 
@@ -16,6 +18,11 @@ struct SameValue {
   static bool bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
   static bool bits(const Vec3f& a, const Vec3f& b) { return bits(a.x, b.x) && bits(a.y, b.y) && bits(a.z, b.z); }
   static bool bits(const Vec3d& a, const Vec3d& b) { return bits(a.x, b.x) && bits(a.y, b.y) && bits(a.z, b.z); }
+  static bool bits(const Vec2f& a, const Vec2f& b) { return bits(a.x, b.x) && bits(a.y, b.y); }
+  static bool bits(const std::array<float, 6>& a, const std::array<float, 6>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), [](float x, float y) { return bits(x, y); });
+  }
+  static bool bits(const WrapPair& a, const WrapPair& b) { return a == b; }
   static bool bits(const Color& a, const Color& b) { return bits(a.rgb, b.rgb) && a.space == b.space; }
   static bool bits(const Mat4& a, const Mat4& b) {
     for (std::size_t i = 0; i < 16; ++i) {

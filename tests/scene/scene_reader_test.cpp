@@ -147,6 +147,109 @@ TEST(SceneReader, ReadsOneOfTwoAttenuations) {
   EXPECT_EQ(error_in_light(R"("attenuation": {"falloff": 2, "unclamped": true})"), "");
 }
 
+TEST(SceneReader, TexturesAreFilesOrTables) {
+  const auto scene = parse_scene(R"({"materials": {"m": {"textures": {
+    "diffuse": "wood.png",
+    "normal": {"file": "n.png", "wrap": ["mirrored_repeat", "clamp_to_border"], "magnify": "nearest", "mip": "none", "anisotropy": 8,
+               "offset": [0.5, 0], "scale": [2, 3], "rotation": 90, "uv_set": 1, "gain": 2, "base": -1},
+    "opacity": {"file": "o.png", "wrap": "clamp_to_border", "border": [1, 0.5, 0.25, 0.75], "channel": "alpha", "once": true,
+                "v_down": true, "matrix": [1, 2, 3, 4, 5, 6], "lod_bias": -1.5},
+    "displacement": {"file": "d.png", "gain": [1, -1, 2], "base": [0, 1, 0]},
+    "reflection": "sky.hdr",
+    "object_space": true}}}, "objects": [{"mesh": "a", "material": "m"}]})",
+                                 "scene.json");
+  ASSERT_TRUE(scene) << scene.error().text();
+  const StatedTextures& textures = scene->objects[0].material->stated_textures;
+  EXPECT_EQ(textures.diffuse, (StatedTexture{.file = "wood.png"}));
+  StatedTexture normal{.file = "n.png", .wrap = {Wrap::mirrored_repeat, Wrap::clamp_to_border}, .magnify = TextureFilter::nearest};
+  normal.mip = MipFilter::none;
+  normal.anisotropy = 8;
+  normal.offset = {0.5F, 0};
+  normal.scale = {2, 3};
+  normal.rotation = 90;
+  normal.uv_set = 1;
+  normal.gain = {2, 2, 2};
+  normal.base = {-1, -1, -1};
+  EXPECT_EQ(textures.normal, normal);
+  StatedTexture opacity{.file = "o.png", .wrap = {Wrap::clamp_to_border, Wrap::clamp_to_border}};
+  opacity.border = {{1, 0.5F, 0.25F}};
+  opacity.border_alpha = 0.75F;
+  opacity.matrix = {1, 2, 3, 4, 5, 6};
+  opacity.lod_bias = -1.5F;
+  opacity.channel = TextureChannel::alpha;
+  opacity.once = opacity.v_down = true;
+  EXPECT_EQ(textures.opacity, opacity);
+  EXPECT_TRUE(textures.object_space);
+  EXPECT_FALSE(textures.bump);
+  StatedTexture displacement{.file = "d.png"};
+  displacement.gain = {1, -1, 2};
+  displacement.base = {0, 1, 0};
+  EXPECT_EQ(textures.displacement, displacement);
+  EXPECT_EQ(textures.reflection, (StatedReflection{.picture = StatedTexture{.file = "sky.hdr"}}));
+}
+
+TEST(SceneReader, AReflectionIsASphereOrACube) {
+  const auto scene = parse_scene(R"({"objects": [{"mesh": "a", "material": {"textures": {"reflection": {"shape": "cube",
+    "right": "r", "left": "l", "top": "t", "bottom": "b", "front": "f", "back": {"file": "k", "gain": 2}}}}}]})");
+  ASSERT_TRUE(scene) << scene.error().text();
+  const auto& map = scene->objects[0].material->stated_textures.reflection;
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->shape, ReflectionShape::cube);
+  EXPECT_FALSE(map->picture);
+  EXPECT_EQ(map->right->file + map->left->file + map->top->file + map->bottom->file + map->front->file + map->back->file, "rltbfk");
+  EXPECT_EQ(map->back->gain, (Vec3f{2, 2, 2}));
+  const auto error_in_reflection = [](const std::string& text) {
+    return error_with(R"("materials": {"m": {"textures": {"reflection": )" + text + "}}}");
+  };
+  const std::string path = "materials.m.textures.reflection";
+  EXPECT_EQ(error_in_reflection("[]"), path + ": found a list of 0, expected the name of a picture's file or a table");
+  EXPECT_EQ(error_in_reflection("{}"), path + ".picture: is missing, expected the picture of a sphere");
+  EXPECT_EQ(error_in_reflection(R"({"picture": "a", "left": "b"})"), path + ".left: belongs to shape cube, found shape sphere");
+  EXPECT_EQ(error_in_reflection(R"({"shape": "cube", "picture": "a"})"), path + ".picture: belongs to shape sphere, found shape cube");
+  EXPECT_EQ(error_in_reflection(R"({"shape": "cube", "right": "a"})"), path + ".left: is missing, expected six pictures of a cube");
+}
+
+TEST(SceneReader, AColourBesideItsTextureIsWhiteUnlessItIsStated) {
+  const auto scene = parse_scene(R"({"materials": {"m": {"specular": [0, 0.5, 0], "textures": {"diffuse": "a.png", "specular": "b.png"}}},
+    "objects": [{"mesh": "a", "material": "m"}]})");
+  ASSERT_TRUE(scene) << scene.error().text();
+  const Material& material = *scene->objects[0].material;
+  EXPECT_EQ(material.name, "m");
+  EXPECT_EQ(material.diffuse, (Color{{1, 1, 1}}));
+  EXPECT_EQ(material.specular, (Color{{0, 0.5F, 0}}));
+  EXPECT_EQ(material.ambient, Material{}.ambient);
+  EXPECT_EQ(material.emission, Material{}.emission);
+}
+
+TEST(SceneReader, OpacityHasAMode) {
+  const auto scene = parse_scene(R"({"objects": [{"mesh": "a", "material": {"opacity": 0.5, "alpha_mode": "mask", "alpha_cutoff": 0.25}}]})");
+  ASSERT_TRUE(scene) << scene.error().text();
+  EXPECT_EQ(scene->objects[0].material->alpha_mode, AlphaMode::mask);
+  EXPECT_EQ(scene->objects[0].material->alpha_cutoff, 0.25F);
+  EXPECT_EQ(error_with(R"("materials": {"m": {"alpha_mode": "masked"}})"),
+            "materials.m.alpha_mode: unknown word \"masked\", did you mean \"mask\"? (known: blend, mask, opaque)");
+}
+
+TEST(SceneReader, WrongTexturesAreNamed) {
+  const auto error_in_textures = [](const std::string& text) { return error_with(R"("materials": {"m": {"textures": {)" + text + "}}}"); };
+  EXPECT_EQ(error_in_textures(R"("difuse": "a.png")"), "materials.m.textures.difuse: unknown key, did you mean \"diffuse\"?");
+  EXPECT_EQ(error_in_textures(R"("bump": 3)"), "materials.m.textures.bump: found 3, expected the name of a picture's file or a table");
+  EXPECT_EQ(error_in_textures(R"("bump": "")"), "materials.m.textures.bump: is missing, expected the name of a picture's file");
+  EXPECT_EQ(error_in_textures(R"("bump": {"gain": 2})"), "materials.m.textures.bump.file: is missing, expected the name of a picture's file");
+  EXPECT_EQ(error_in_textures(R"("bump": {"file": "a", "wrap": ["repeat"]})"),
+            "materials.m.textures.bump.wrap: found a list of 1, expected a word or a list of two (repeat, mirrored_repeat, clamp_to_edge, "
+            "clamp_to_border)");
+  EXPECT_EQ(error_in_textures(R"("bump": {"file": "a", "matrix": [1, 0, 0, 0, 1, 0], "scale": [1, 1]})"),
+            "materials.m.textures.bump: states both matrix and scale, expected matrix alone or offset, scale and rotation");
+  EXPECT_EQ(error_in_textures(R"("bump": {"file": "a", "matrix": [1, 0]})"),
+            "materials.m.textures.bump.matrix: found a list of 2, expected a list of six numbers, row by row");
+  EXPECT_EQ(error_in_textures(R"("bump": {"file": "a", "gain": [1, 2]})"),
+            "materials.m.textures.bump.gain: found a list of 2, expected a number, or a list of three [r, g, b]");
+  EXPECT_EQ(error_in_textures(R"("bump": {"file": "a", "offset": [1, 1e10]})"),
+            "materials.m.textures.bump.offset[1]: 1e+10 is outside -1e+09..1e+09");
+  EXPECT_EQ(error_in_textures(R"("bump": {"file": "a", "anisotropy": 17})"), "materials.m.textures.bump.anisotropy: 17 is outside 1..16");
+}
+
 TEST(SceneReader, EveryKeyOfTheTableRefusesAWrongTypeAtItsPath) {
   int checked = 0;
   for (const FieldGroup& group : field_groups()) {
@@ -167,6 +270,15 @@ TEST(SceneReader, EveryKeyOfTheTableRefusesAWrongTypeAtItsPath) {
       } else if (group.path == "materials.*") {
         json = "{\"materials\": {\"m\": {" + key + "}}, \"objects\": []}";
         path = "materials.m." + std::string(field.key);
+      } else if (group.path == "materials.*.textures") {
+        json = "{\"materials\": {\"m\": {\"textures\": {" + key + "}}}, \"objects\": []}";
+        path = "materials.m.textures." + std::string(field.key);
+      } else if (group.path == "materials.*.textures.reflection") {
+        json = "{\"materials\": {\"m\": {\"textures\": {\"reflection\": {" + key + "}}}}, \"objects\": []}";
+        path = "materials.m.textures.reflection." + std::string(field.key);
+      } else if (group.path == "materials.*.textures.*") {
+        json = "{\"materials\": {\"m\": {\"textures\": {\"bump\": {" + key + "}}}}, \"objects\": []}";
+        path = "materials.m.textures.bump." + std::string(field.key);
       } else if (group.path == "objects[]") {
         json = "{\"objects\": [{" + key + "}]}";
         path = "objects[0]." + std::string(field.key);
@@ -179,7 +291,7 @@ TEST(SceneReader, EveryKeyOfTheTableRefusesAWrongTypeAtItsPath) {
       ++checked;
     }
   }
-  EXPECT_EQ(checked, 68);
+  EXPECT_EQ(checked, 68 + 3 + 12 + 18 + 8);
 }
 
 }  // namespace

@@ -24,8 +24,13 @@ nlohmann::json schema() {
 TEST(SceneSchema, HasEveryKeyWithItsHelpAndNoOther) {
   const auto root = schema();
   EXPECT_EQ(root["$schema"], "https://json-schema.org/draft/2020-12/schema");
-  const std::map<std::string_view, std::string> names{
-      {"lights[]", "light"}, {"lights[].attenuation", "attenuation"}, {"materials.*", "material"}, {"objects[]", "object"}};
+  const std::map<std::string_view, std::string> names{{"lights[]", "light"},
+                                                      {"lights[].attenuation", "attenuation"},
+                                                      {"materials.*", "material"},
+                                                      {"materials.*.textures", "textures"},
+                                                      {"materials.*.textures.*", "texture"},
+                                                      {"materials.*.textures.reflection", "reflection"},
+                                                      {"objects[]", "object"}};
   for (const FieldGroup& group : field_groups()) {
     const auto name = names.find(group.path);
     const auto& table = group.path.empty() ? root : root["$defs"].at(name == names.end() ? std::string(group.path) : name->second);
@@ -116,6 +121,28 @@ std::vector<std::string> small_scenes() {
     with(std::string("\"shading\": {\"lighting\": ") + word + "}");
     with(std::string("\"shading\": {\"interpolation\": ") + word + "}");
     object(std::string("\"material\": {\"lighting\": ") + word + "}");
+  }
+  const auto texture = [&](const std::string& keys) { object("\"material\": {\"textures\": {\"bump\": {" + keys + "}}}"); };
+  for (const char* keys : {"", "\"file\": \"\"", "\"file\": 1", "\"file\": \"a\", \"wrap\": \"repeat\"", "\"file\": \"a\", \"wrap\": \"tile\"",
+                           "\"file\": \"a\", \"wrap\": [\"repeat\", \"mirrored_repeat\"]", "\"file\": \"a\", \"wrap\": [\"repeat\"]",
+                           "\"file\": \"a\", \"gain\": 2", "\"file\": \"a\", \"gain\": [1, 2, 3]", "\"file\": \"a\", \"gain\": [1, 2]",
+                           "\"file\": \"a\", \"offset\": [1, 2]", "\"file\": \"a\", \"offset\": [1, 2e9]", "\"file\": \"a\", \"offset\": 1",
+                           "\"file\": \"a\", \"matrix\": [1, 0, 0, 0, 1, 0]", "\"file\": \"a\", \"matrix\": [1, 0, 0, 0, 1]",
+                           "\"file\": \"a\", \"matrix\": [1, 0, 0, 0, 1, 0], \"rotation\": 3", "\"file\": \"a\", \"uv_set\": 2",
+                           "\"file\": \"a\", \"border\": [0, 0, 0, 0.5]", "\"file\": \"a\", \"lod_bias\": -17"}) {
+    texture(keys);
+  }
+  for (const char* map :
+       {"\"a\"", "\"\"", "3", "{}", R"({"picture": "a"})", R"({"shape": "sphere", "picture": {"file": "a"}})", R"({"picture": "a", "top": "b"})",
+        R"({"shape": "cube"})", R"({"shape": "cone", "picture": "a"})",
+        R"({"shape": "cube", "right": "a", "left": "b", "top": "c", "bottom": "d", "front": "e", "back": "f"})",
+        R"({"shape": "cube", "right": "a", "left": "b", "top": "c", "bottom": "d", "front": "e"})",
+        R"({"shape": "cube", "right": "a", "left": "b", "top": "c", "bottom": "d", "front": "e", "back": "f", "picture": "g"})"}) {
+    object(std::string("\"material\": {\"textures\": {\"reflection\": ") + map + "}}");
+  }
+  for (const char* key : {R"("alpha_mode": "mask")", R"("alpha_mode": "Mask")", R"("alpha_cutoff": 1)", R"("alpha_cutoff": 1.1)",
+                          R"("textures": {})", R"("textures": "a")", R"("textures": {"bump": "a"})", R"("textures": {"object_space": 1})"}) {
+    object("\"material\": {" + std::string(key) + "}");
   }
   for (const char* terms : {"[]", "[\"diffuse\"]", "[\"diffuse\", \"diffuse\"]", "[\"light\"]", "\"diffuse\"", "[1]"}) {
     with(std::string("\"shading\": {\"terms\": ") + terms + "}");

@@ -155,7 +155,57 @@ class SceneMaker {
     if (coin()) {
       m.lighting = word<Lighting>(4);
     }
+    m.alpha_mode = word<AlphaMode>(3);
+    m.alpha_cutoff = unit();
+    for (const auto slot : {&StatedTextures::diffuse, &StatedTextures::opacity, &StatedTextures::normal, &StatedTextures::displacement}) {
+      if (below(4) == 0) {
+        (m.stated_textures.*slot) = texture();
+      }
+    }
+    m.stated_textures.object_space = below(8) == 0;
+    if (below(4) == 0) {
+      StatedReflection& map = m.stated_textures.reflection.emplace();
+      map.shape = word<ReflectionShape>(2);
+      if (map.shape == ReflectionShape::sphere) {
+        map.picture = texture();
+      } else {
+        for (const auto face : {&StatedReflection::right, &StatedReflection::left, &StatedReflection::top, &StatedReflection::bottom,
+                                &StatedReflection::front, &StatedReflection::back}) {
+          map.*face = texture();
+        }
+      }
+    }
     return m;
+  }
+
+  StatedTexture texture() {
+    StatedTexture t;
+    t.file = "w\xc3\xb6\xc3\xb6l \"1\".png";
+    if (coin()) {
+      return t;
+    }
+    t.wrap = {word<Wrap>(4), word<Wrap>(4)};
+    t.magnify = word<TextureFilter>(2);
+    t.minify = word<TextureFilter>(2);
+    t.mip = word<MipFilter>(3);
+    t.anisotropy = 1 + below(16);
+    t.lod_bias = 32 * unit() - 16;
+    t.border = color();
+    t.border_alpha = unit();
+    if (coin()) {
+      t.offset = {unit() * 2 - 1, unit() * 1e8F};
+      t.scale = {unit(), -unit()};
+      t.rotation = 720 * unit() - 360;
+    } else {
+      t.matrix = {unit(), -unit(), unit() * 1e8F, 0, unit(), 1};
+    }
+    t.v_down = coin();
+    t.uv_set = below(2);
+    t.gain = coin() ? Vec3f{unit(), unit(), 1} : Vec3f{2, 2, 2};
+    t.base = {-unit(), 0, unit()};
+    t.channel = word<TextureChannel>(6);
+    t.once = coin();
+    return t;
   }
 
   std::mt19937 random_;
@@ -176,6 +226,23 @@ TEST(SceneWriter, TheExampleOfTheContractReadsBack) {
   const Scene scene = parse_scene(kExampleScene).value();
   const Scene back = parse_scene(scene_json(scene)).value();
   EXPECT_EQ(difference(back, scene, "scene"), "");
+}
+
+TEST(SceneWriter, ATextureOfDefaultsIsItsFile) {
+  Scene scene;
+  scene.objects.resize(1);
+  scene.objects[0].source = "a.ply";
+  scene.objects[0].material.emplace();
+  StatedTextures& textures = scene.objects[0].material->stated_textures;
+  textures.diffuse = StatedTexture{.file = "a.png"};
+  textures.reflection = StatedReflection{.picture = StatedTexture{.file = "sky.hdr"}};
+  textures.normal = StatedTexture{.file = "n.png", .wrap = {Wrap::repeat, Wrap::clamp_to_edge}};
+  EXPECT_EQ(scene_json(scene),
+            "{\n  \"objects\": [\n    {\"mesh\": \"a.ply\", \"material\": {\"diffuse\": [0.8, 0.8, 0.8], \"textures\": {\"diffuse\": \"a.png\", "
+            "\"normal\": {\"file\": \"n.png\", \"wrap\": [\"repeat\", \"clamp_to_edge\"]}, \"reflection\": \"sky.hdr\"}}}\n  ]\n}\n");
+  scene.objects[0].material = material_with(textures);  // white, as the reader has it
+  EXPECT_EQ(scene_json(scene).find("[0.8"), std::string::npos);
+  EXPECT_EQ(difference(*parse_scene(scene_json(scene)), scene, "scene"), "");
 }
 
 TEST(SceneWriter, LeavesOutWhatIsTheDefault) {

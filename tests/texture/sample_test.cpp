@@ -27,7 +27,7 @@ class Oracle {
     const double py = std::hypot(at.u_dy * texture_.width(), at.v_dy * texture_.height());
     const double longest = std::max(px, py);
     if (sampler_.anisotropy == 1) {
-      return look(at.u, at.v, std::log2(longest));
+      return look(at.u, at.v, std::log2(longest) + static_cast<double>(sampler_.lod_bias));
     }
     const double ratio = longest / std::max(std::min(px, py), 1.0);  // see sample.hpp: the short axis counts as a texel
     const double looks = std::max(1.0, std::ceil(std::min(ratio, static_cast<double>(sampler_.anisotropy))));
@@ -38,8 +38,9 @@ class Oracle {
     Rgba sum{};
     for (int i = 1; i <= static_cast<int>(looks); ++i) {
       const double along = i / (looks + 1) - 0.5;
-      const Rgba value = px > py ? look(at.u + at.u_dx * along, at.v + at.v_dx * along, std::log2(longest / looks))
-                                 : look(at.u + at.u_dy * along, at.v + at.v_dy * along, std::log2(longest / looks));
+      const double lambda = std::log2(longest / looks) + static_cast<double>(sampler_.lod_bias);
+      const Rgba value =
+          px > py ? look(at.u + at.u_dx * along, at.v + at.v_dx * along, lambda) : look(at.u + at.u_dy * along, at.v + at.v_dy * along, lambda);
       for (std::size_t c = 0; c < 4; ++c) {
         sum[c] += value[c] / looks;
       }
@@ -90,10 +91,16 @@ class Oracle {
       choose(v);
       return texel(level, static_cast<long long>(std::floor(u)), static_cast<long long>(std::floor(v)));
     }
-    const auto i = static_cast<long long>(std::floor(u - 0.5));
-    const auto j = static_cast<long long>(std::floor(v - 0.5));
-    const double a = u - 0.5 - std::floor(u - 0.5);
-    const double b = v - 0.5 - std::floor(v - 0.5);
+    if (!sampler_.blend_u) {
+      choose(u);
+    }
+    if (!sampler_.blend_v) {
+      choose(v);
+    }
+    const auto i = static_cast<long long>(std::floor(sampler_.blend_u ? u - 0.5 : u));
+    const auto j = static_cast<long long>(std::floor(sampler_.blend_v ? v - 0.5 : v));
+    const double a = sampler_.blend_u ? u - 0.5 - std::floor(u - 0.5) : 0;
+    const double b = sampler_.blend_v ? v - 0.5 - std::floor(v - 0.5) : 0;
     Rgba result{};
     for (std::size_t c = 0; c < 4; ++c) {
       result[c] = (1 - a) * (1 - b) * texel(level, i, j)[c] + a * (1 - b) * texel(level, i + 1, j)[c] + (1 - a) * b * texel(level, i, j + 1)[c] +
@@ -170,7 +177,12 @@ void for_every_sampler(const std::function<void(const Sampler&)>& check) {
         for (const TextureFilter minify : kFilters) {
           for (const MipFilter mip : kMips) {
             for (const int anisotropy : {1, 8}) {
-              check({wrap_u, wrap_v, magnify, minify, mip, anisotropy, {0.3F, 0.7F, 0.1F, 0.9F}});
+              Sampler sampler{wrap_u, wrap_v, magnify, minify, mip, anisotropy, {0.3F, 0.7F, 0.1F, 0.9F}};
+              check(sampler);
+              sampler.lod_bias = anisotropy == 1 ? -1.25F : 0.75F;
+              sampler.blend_u = mip == MipFilter::linear;
+              sampler.blend_v = wrap_u != wrap_v;
+              check(sampler);
             }
           }
         }

@@ -1,0 +1,99 @@
+// The keys of a material's `textures`, of one texture and of a reflection map.
+#include <array>
+
+#include "scene/fields.hpp"
+
+namespace lustro {
+namespace {
+
+constexpr Range kColor{.lower = 0};
+constexpr Range kAnisotropy{.lower = 1, .upper = 16};
+constexpr Range kBias{.lower = -16, .upper = 16};
+constexpr Range kUvSet{.lower = 0, .upper = 1};
+constexpr Range kTurn{.lower = -360, .upper = 360};
+constexpr Range kBounded{.lower = -1e9, .upper = 1e9};  // products of these are finite as floats
+
+constexpr std::array kTexturesFields{
+    Field<StatedTextures>{"ambient", "", &StatedTextures::ambient, "colour, times k_a"},
+    Field<StatedTextures>{"diffuse", "", &StatedTextures::diffuse, "colour, times k_d"},
+    Field<StatedTextures>{"specular", "", &StatedTextures::specular, "colour, times k_s"},
+    Field<StatedTextures>{"emission", "", &StatedTextures::emission, "colour, times k_e"},
+    Field<StatedTextures>{"shininess", "", &StatedTextures::shininess, "one value, times n"},
+    Field<StatedTextures>{"opacity", "", &StatedTextures::opacity, "one value, times the opacity"},
+    Field<StatedTextures>{"decal", "", &StatedTextures::decal, "colour, laid over k_a and k_d by its alpha"},
+    Field<StatedTextures>{"bump", "", &StatedTextures::bump, "one value, a height in units of the surface that tilts the normal"},
+    Field<StatedTextures>{"normal", "", &StatedTextures::normal, "normals, rgb * 2 - 1 in the tangent frame"},
+    Field<StatedTextures>{"displacement", "", &StatedTextures::displacement, "one value, a height in units of the mesh that moves the surface"},
+    Field<StatedTextures>{"reflection", "", &StatedTextures::reflection, "colours, times k_s, in the direction that the surface mirrors"},
+    Field<StatedTextures>{"object_space", "", &StatedTextures::object_space,
+                          "the normals of `normal` are the object's, and of no tangent frame"},
+};
+
+constexpr std::array kTextureFields{
+    Field<StatedTexture>{"file", "", &StatedTexture::file, "the picture, relative to the scene file", "", {}, "must be stated"},
+    Field<StatedTexture>{"wrap", "", &StatedTexture::wrap, "what stands beside the picture's edge; a list of two words: along u and v"},
+    Field<StatedTexture>{"magnify", "", &StatedTexture::magnify, "how texels become a value where they are larger than pixels"},
+    Field<StatedTexture>{"minify", "", &StatedTexture::minify, "the same where they are smaller"},
+    Field<StatedTexture>{"mip", "", &StatedTexture::mip, "how mip levels are chosen"},
+    Field<StatedTexture>{"anisotropy", "", &StatedTexture::anisotropy, "looks taken at most where a surface is seen at a slant", "",
+                         kAnisotropy},
+    Field<StatedTexture>{"lod_bias", "", &StatedTexture::lod_bias, "is added to the mip level: below 0 sharper, above 0 softer", "", kBias},
+    Field<StatedTexture>{"border", "", ColorAlpha<StatedTexture>{&StatedTexture::border, &StatedTexture::border_alpha},
+                         "of wrap clamp_to_border; a fourth number is its alpha", "", kColor},
+    Field<StatedTexture>{"offset", "", &StatedTexture::offset, "is added to (u, v), last", "", kBounded},
+    Field<StatedTexture>{"scale", "", &StatedTexture::scale, "multiplies (u, v), first", "", kBounded},
+    Field<StatedTexture>{"rotation", "", &StatedTexture::rotation, "turns (u, v) about (0, 0), counter-clockwise", "degrees", kTurn},
+    Field<StatedTexture>{"matrix", "", &StatedTexture::matrix, "[a, b, c, d, e, f]: (u, v) becomes (a u + b v + c, d u + e v + f)", "", kBounded,
+                         "offset, scale and rotation"},
+    Field<StatedTexture>{"v_down", "", &StatedTexture::v_down, "v counts from the picture's top, as in glTF; else from its bottom, as in OBJ"},
+    Field<StatedTexture>{"uv_set", "", &StatedTexture::uv_set, "which of the mesh's texture coordinates", "", kUvSet},
+    Field<StatedTexture>{"gain", "", &StatedTexture::gain, "a value is multiplied by this", "", kBounded},
+    Field<StatedTexture>{"base", "", &StatedTexture::base, "and this is added", "", kBounded},
+    Field<StatedTexture>{"channel", "", &StatedTexture::channel, "of a picture for one value"},
+    Field<StatedTexture>{"once", "", &StatedTexture::once, "outside of 0..1 the material is as without the texture"},
+};
+
+constexpr std::array kReflectionFields{
+    Field<StatedReflection>{"shape", "", &StatedReflection::shape, "how the pictures surround the scene"},
+    Field<StatedReflection>{"picture", "", &StatedReflection::picture, "of a sphere", "", {}, "must be stated of a sphere"},
+    Field<StatedReflection>{"right", "", &StatedReflection::right, "of a cube: seen along +x", "", {}, "must be stated of a cube"},
+    Field<StatedReflection>{"left", "", &StatedReflection::left, "along -x", "", {}, "as `right`"},
+    Field<StatedReflection>{"top", "", &StatedReflection::top, "along +y", "", {}, "as `right`"},
+    Field<StatedReflection>{"bottom", "", &StatedReflection::bottom, "along -y", "", {}, "as `right`"},
+    Field<StatedReflection>{"front", "", &StatedReflection::front, "along +z", "", {}, "as `right`"},
+    Field<StatedReflection>{"back", "", &StatedReflection::back, "along -z", "", {}, "as `right`"},
+};
+
+}  // namespace
+
+template <>
+std::span<const Field<StatedTextures>> fields<StatedTextures>() {
+  return kTexturesFields;
+}
+
+template <>
+std::span<const Field<StatedTexture>> fields<StatedTexture>() {
+  return kTextureFields;
+}
+
+template <>
+std::span<const Field<StatedReflection>> fields<StatedReflection>() {
+  return kReflectionFields;
+}
+
+Material material_with(StatedTextures textures) {
+  Material material;
+  const auto whiten = [](const std::optional<StatedTexture>& texture, Color& color) {
+    if (texture) {
+      color = {{1, 1, 1}};
+    }
+  };
+  whiten(textures.ambient, material.ambient);
+  whiten(textures.diffuse, material.diffuse);
+  whiten(textures.specular, material.specular);
+  whiten(textures.emission, material.emission);
+  material.stated_textures = std::move(textures);
+  return material;
+}
+
+}  // namespace lustro
