@@ -115,15 +115,16 @@ void read_files(const std::vector<Request>& requests, int threads, TextureCache&
   });
 }
 
-/// Where the use of a texture stands in its material.
-std::optional<TextureUse>& place_of(Material& material, const MapUse& map) {
+/// Where the use of a texture stands in its material; null for a reflection map beside one of the other shape.
+std::optional<TextureUse>* place_of(Material& material, const MapUse& map) {
   if (map.slot->use != nullptr) {
-    return material.textures.*map.slot->use;
+    return &(material.textures.*map.slot->use);
   }
-  if (!material.textures.reflection) {
-    material.textures.reflection.emplace();
+  std::optional<ReflectionMap>& reflection = material.textures.reflection;
+  if (!reflection) {
+    reflection.emplace().shape = map.shape;
   }
-  return material.textures.reflection->faces[map.face];
+  return reflection->shape == map.shape ? &reflection->faces[map.face] : nullptr;
 }
 
 /// What only the picture decides: which channel is meant, and whether a bump map holds heights.
@@ -152,7 +153,13 @@ void settle(Request& request, const TextureFile& file, BookShelf& books) {
       books.add(request.where, fmt::format("{}: {} has an alpha, which is used, and not its colours", request.statement, shown_name));
     }
   }
-  std::optional<TextureUse>& slot = place_of(*request.material, request.map);
+  std::optional<TextureUse>* const place = place_of(*request.material, request.map);
+  if (place == nullptr) {
+    books.add(request.where, fmt::format("{}: {} is left out: a material reflects a sphere or a cube, and the first one counts",
+                                         request.statement, shown_name));
+    return;
+  }
+  std::optional<TextureUse>& slot = *place;
   if (slot) {
     books.add(request.where,
               fmt::format("{}: a material that states two maps for its {} has the last one", request.statement, request.map.slot->key));
@@ -213,7 +220,7 @@ Result<Notes> load_map_textures(std::span<Material> materials, const fs::path& f
   for (Material& material : materials) {
     for (const TextureMap& map : material.maps) {
       const auto note = [&](const std::string& message) { books.add(map.library, message); };
-      auto use = use_of_map(map, options.transparency_is_tr, note);
+      auto use = use_of_map(map, {options.transparency_is_tr, options.transfer, material.illumination}, note);
       if (!use) {
         continue;
       }
@@ -257,6 +264,7 @@ Result<Notes> load_stated_textures(Material& material, const std::string& where,
       books.add(where, fmt::format("{}: the texture {}", key, found->note));
     }
     Request request{&material, use_of_stated(texture, slot, options.transfer), where, std::move(key)};
+    request.map.shape = &slot == &kReflectionSlot ? stated.reflection->shape : ReflectionShape{};
     request.map.face = face;
     request.key = {identity_of(found->path), slot.content, options.transfer, '\0'};
     requests.push_back(std::move(request));
@@ -286,11 +294,7 @@ Result<Notes> load_stated_textures(Material& material, const std::string& where,
       }
     }
   }
-  auto notes = finish(requests, options, cache, books);
-  if (notes && stated.reflection && material.textures.reflection) {
-    material.textures.reflection->shape = stated.reflection->shape;
-  }
-  return notes;
+  return finish(requests, options, cache, books);
 }
 
 }  // namespace lustro

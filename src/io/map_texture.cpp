@@ -19,62 +19,60 @@ struct Statement {
   std::string_view slot;
 };
 
-constexpr std::array<Statement, 17> kStatements{{
-    {"map_ka", "ambient"},
-    {"map_kd", "diffuse"},
-    {"map_ks", "specular"},
-    {"map_ke", "emission"},
-    {"map_ns", "shininess"},
-    {"map_d", "opacity"},
-    {"map_opacity", "opacity"},
-    {"map_tr", "opacity"},
-    {"decal", "decal"},
-    {"map_decal", "decal"},
-    {"bump", "bump"},
-    {"map_bump", "bump"},
-    {"norm", "normal"},
-    {"map_norm", "normal"},
-    {"map_kn", "normal"},
-    {"disp", "displacement"},
-    {"map_disp", "displacement"},
+constexpr std::array<Statement, 19> kStatements{{
+    {"map_ka", "ambient"},    {"map_kd", "diffuse"},        {"map_ks", "specular"}, {"map_ke", "emission"},     {"map_ns", "shininess"},
+    {"map_d", "opacity"},     {"map_opacity", "opacity"},   {"map_tr", "opacity"},  {"decal", "decal"},         {"map_decal", "decal"},
+    {"bump", "bump"},         {"map_bump", "bump"},         {"norm", "normal"},     {"map_norm", "normal"},     {"map_kn", "normal"},
+    {"disp", "displacement"}, {"map_disp", "displacement"}, {"refl", "reflection"}, {"map_refl", "reflection"},
 }};
 
 const TextureSlot* slot_of(std::string_view statement) {
   for (const Statement& known : kStatements) {
     if (known.name == statement) {
-      return texture_slot(known.slot);
+      return known.slot == kReflectionSlot.key ? &kReflectionSlot : texture_slot(known.slot);
     }
   }
   return nullptr;
 }
 
-/// What has no part in the picture yet.
-std::string_view reason_not_drawn(std::string_view statement) {
-  if (statement == "refl" || statement == "map_refl") {
-    return "reflection maps are not drawn";
-  }
-  return "the classic model has no place for it";
-}
-
-void note_ignored_options(const TextureMap& map, const std::function<void(std::string)>& note) {
+/// The options that choose texels. Noted are those that cannot be honoured.
+void choose_texels(const TextureMap& map, const MapSurroundings& around, Sampler& sampler, const std::function<void(std::string)>& note) {
   const auto ignored = [&](std::string_view option, std::string_view why) {
     note(fmt::format("{}: {} is ignored: {}", map.statement, option, why));
   };
   if (map.turbulence.x != 0 || map.turbulence.y != 0 || map.turbulence.z != 0) {
-    ignored("-t", "textures are not made turbulent");
+    ignored("-t", "the format does not say which noise it means");
   }
-  if (map.color_correction) {
-    ignored("-cc", "colours are decoded by the scene's transfer alone");
-  }
-  if (map.boost != 0) {
-    ignored("-boost", "mip levels are as sharp as the picture allows");
+  if (map.color_correction && around.transfer == Transfer::none) {
+    ignored("-cc", "the scene's transfer takes colours as they stand");
   }
   if (map.texture_resolution != 0) {
-    ignored("-texres", "pictures are used at their own size");
+    ignored("-texres", "pictures are used at their own size, which is as sharp as they are");
   }
-  if (map.blend_u != map.blend_v) {
-    ignored(map.blend_u ? "-blendv off" : "-blendu off", "texels are blended in both directions or in none");
+  if (map.boost < 0) {
+    ignored("-boost", "below 0 it would blur");
+  } else {
+    sampler.lod_bias = -std::min(map.boost, 16.0F);
   }
+  if (map.clamp) {
+    sampler.wrap_u = sampler.wrap_v = Wrap::clamp_to_edge;
+  }
+  sampler.blend_u = map.blend_u;
+  sampler.blend_v = map.blend_v;
+  if (!map.blend_u && !map.blend_v) {
+    sampler.magnify = sampler.minify = TextureFilter::nearest;
+    sampler.mip = MipFilter::none;
+  }
+}
+
+/// The place among ReflectionMap::faces that -type names.
+std::size_t face_of_type(std::string_view type) {
+  constexpr std::string_view kCube = "cube_";
+  if (!type.starts_with(kCube)) {
+    return 0;
+  }
+  const auto* const face = std::ranges::find(kCubeFaces, type.substr(kCube.size()));
+  return face == kCubeFaces.end() ? 0 : static_cast<std::size_t>(face - kCubeFaces.begin());
 }
 
 std::uint8_t channel_of(char letter) {
@@ -120,6 +118,11 @@ std::array<float, 6> uv_matrix_of(const StatedTexture& stated) {
   return result;
 }
 
+/// Reflection maps have no coordinates of the surface: v goes down before the matrix, too.
+void count_from_the_top(std::array<float, 6>& m) {
+  m = {m[0], -m[1], m[1] + m[2], m[3], -m[4], m[4] + m[5]};
+}
+
 /// Numbers whose products are still finite as floats.
 float bounded(float value) {
   return std::clamp(value, -1e9F, 1e9F);
@@ -149,6 +152,9 @@ MapUse use_of_stated(const StatedTexture& stated, const TextureSlot& slot, Trans
   use.sampler.border = border_of(stated, slot.content == TextureContent::color ? transfer : Transfer::none);
   use.uv_set = static_cast<std::uint8_t>(stated.uv_set);
   use.uv_matrix = uv_matrix_of(stated);
+  if (&slot == &kReflectionSlot && !stated.v_down) {
+    count_from_the_top(use.uv_matrix);
+  }
   use.gain = stated.gain;
   use.base = stated.base;
   use.leaves_outside = stated.once;
@@ -159,16 +165,22 @@ MapUse use_of_stated(const StatedTexture& stated, const TextureSlot& slot, Trans
   return result;
 }
 
-std::optional<MapUse> use_of_map(const TextureMap& map, bool transparency_is_tr, const std::function<void(std::string)>& note) {
+std::optional<MapUse> use_of_map(const TextureMap& map, const MapSurroundings& around, const std::function<void(std::string)>& note) {
   const std::string statement = lower_case(map.statement);
   MapUse result;
   result.slot = slot_of(statement);
   if (result.slot == nullptr) {
-    note(fmt::format("{} is kept, but not drawn: {}", map.statement, reason_not_drawn(statement)));
+    note(fmt::format("{} is kept, but not drawn: the classic model has no place for it", map.statement));
     return std::nullopt;
   }
-  note_ignored_options(map, note);
+  const bool is_reflection = result.slot == &kReflectionSlot;
+  if (is_reflection && around.illumination && *around.illumination < 3) {
+    note(fmt::format("{} is kept, but not drawn: it belongs to illum 3 and above, and the material states {}", map.statement,
+                     *around.illumination));
+    return std::nullopt;
+  }
   TextureUse& use = result.use;
+  choose_texels(map, around, use.sampler, note);
   use.name = map.file;
   use.uv_matrix = {bounded(map.scale.x), 0, bounded(map.offset.x), 0, -bounded(map.scale.y), 1 - bounded(map.offset.y)};
   const float gain = bounded(map.gain);
@@ -176,14 +188,7 @@ std::optional<MapUse> use_of_map(const TextureMap& map, bool transparency_is_tr,
   const float bump_multiplier = bounded(map.bump_multiplier);
   use.gain = {gain, gain, gain};
   use.base = {base, base, base};
-  if (map.clamp) {
-    use.leaves_outside = true;
-    use.sampler.wrap_u = use.sampler.wrap_v = Wrap::clamp_to_edge;
-  }
-  if (!map.blend_u && !map.blend_v) {
-    use.sampler.magnify = use.sampler.minify = TextureFilter::nearest;
-    use.sampler.mip = MipFilter::none;
-  }
+  use.leaves_outside = map.clamp;
 
   char channel = map.channel;
   if (channel == 'z') {
@@ -198,7 +203,14 @@ std::optional<MapUse> use_of_map(const TextureMap& map, bool transparency_is_tr,
   } else if (channel != 0) {
     note(fmt::format("{}: -imfchan is ignored: it belongs to maps of one value", map.statement));
   }
-  if (statement == "map_tr" && !transparency_is_tr) {
+  if (is_reflection) {
+    result.shape = map.type.starts_with("cube") ? ReflectionShape::cube : ReflectionShape::sphere;
+    result.face = face_of_type(map.type);
+    count_from_the_top(use.uv_matrix);
+  } else if (!map.type.empty()) {
+    note(fmt::format("{}: -type is ignored: it belongs to refl", map.statement));
+  }
+  if (statement == "map_tr" && !around.transparency_is_tr) {
     use.gain = {-gain, -gain, -gain};
     use.base = {1 - base, 1 - base, 1 - base};
   }

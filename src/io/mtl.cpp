@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "image/lower_case.hpp"
 #include "io/limits.hpp"
 #include "io/mtl_map.hpp"
 #include "io/note_book.hpp"
@@ -25,7 +26,7 @@ struct OpenMaterial {
   Material material;
   std::optional<float> dissolve;      // d
   std::optional<float> transparency;  // Tr
-  std::size_t transparency_line = 0;
+  std::size_t transparency_line = 0, illumination_line = 0;
   bool states_ambient = false, states_diffuse = false, states_specular = false, states_emission = false;
 };
 
@@ -44,7 +45,8 @@ class MtlReader {
   bool read_color(std::string_view word, Color& color);
   bool read_clamped(std::string_view word, float low, float high, float& value);
   bool read_dissolve(OpenMaterial& open);
-  bool read_illumination(Material& material);
+  bool read_illumination(OpenMaterial& open);
+  void settle_illumination(OpenMaterial& open);
   static void settle_map_colors(OpenMaterial& open);
   Material settle(OpenMaterial& open);
 
@@ -119,7 +121,7 @@ bool MtlReader::read_surface(std::string_view word, OpenMaterial& open) {
   if (word == "Ns") { return read_clamped(word, 0, 10000, material.shininess); }
   if (word == "Ni") { return read_clamped(word, 0.001F, 10, material.refraction); }
   if (word == "sharpness") { return read_clamped(word, 0, 1000, material.sharpness); }
-  if (word == "illum") { return read_illumination(material); }
+  if (word == "illum") { return read_illumination(open); }
   if (word == "d")  { return read_dissolve(open); }
   // clang-format on
   if (word == "Tr") {
@@ -204,7 +206,8 @@ bool MtlReader::read_dissolve(OpenMaterial& open) {
   return read_clamped("d", 0, 1, open.dissolve.emplace());
 }
 
-bool MtlReader::read_illumination(Material& material) {
+bool MtlReader::read_illumination(OpenMaterial& open) {
+  Material& material = open.material;
   std::int64_t model = 0;
   if (!text_.integer(model)) {
     const std::string_view found = text_.word();
@@ -215,12 +218,48 @@ bool MtlReader::read_illumination(Material& material) {
     notes_.add(text_.line(), fmt::format("illum {} is outside 0..10 and is ignored", model));
     return true;
   }
-  if (model > 2) {
-    notes_.add(text_.line(), "illum 3..10 ask for reflections, refraction or mattes: drawn as illum 2");
-  }
+  open.illumination_line = text_.line();
   material.illumination = static_cast<int>(model);
   material.lighting = model == 0 ? std::optional(Lighting::constant) : model == 1 ? std::optional(Lighting::lambert) : std::nullopt;
   return true;
+}
+
+// What illum 3 to 9 ask for beyond the reflection map, which is drawn.
+std::string_view undrawn_of_illumination(int model) {
+  switch (model) {
+    case 3:
+      return "traced reflections";
+    case 4:
+      return "traced reflections and highlights that hide what lies behind";
+    case 5:
+      return "traced reflections by Fresnel";
+    case 6:
+      return "traced reflections and refraction";
+    case 7:
+      return "traced reflections and refraction by Fresnel";
+    case 9:
+      return "highlights that hide what lies behind";
+    default:
+      return {};
+  }
+}
+
+// Models 3 to 9 are model 2 with reflections. Model 10 is black, as opaque as its shadow is dark; there are no shadows.
+void MtlReader::settle_illumination(OpenMaterial& open) {
+  Material& material = open.material;
+  const int model = material.illumination.value_or(2);
+  if (model == 10) {
+    notes_.add(open.illumination_line, "illum 10 shows nothing but the shadows on a surface, and none are cast: its opacity is 0");
+    material.opacity = 0;
+    return;
+  }
+  const std::string_view undrawn = undrawn_of_illumination(model);
+  if (undrawn.empty()) {
+    return;
+  }
+  const bool has_map = std::ranges::any_of(material.maps, [](const TextureMap& map) { return lower_case(map.statement).ends_with("refl"); });
+  notes_.add(open.illumination_line, fmt::format("illum {} asks for {}, which are not drawn: {}", model, undrawn,
+                                                 has_map ? "its reflection map is" : "drawn as illum 2"));
 }
 
 // A map multiplies its colour. Where the file does not state one, OpenGL's default would only dim the map, or hide it.
@@ -253,6 +292,7 @@ Material MtlReader::settle(OpenMaterial& open) {
   } else if (open.transparency) {
     material.opacity = options_.transparency_is_tr ? *open.transparency : 1 - *open.transparency;
   }
+  settle_illumination(open);
   settle_map_colors(open);
   return std::move(material);
 }

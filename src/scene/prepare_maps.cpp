@@ -164,8 +164,7 @@ ShadingOpacity prepare_opacity(const Material& material, const DrawableMesh& dra
 }
 
 std::span<const std::string_view, 6> cube_face_names() {
-  static constexpr std::array<std::string_view, 6> kNames{"right", "left", "top", "bottom", "front", "back"};
-  return kNames;
+  return kCubeFaces;
 }
 
 bool prepare_reflection(const Material& material, const Shading& shading, const std::string& where, Notes& notes, ShadingReflection& result) {

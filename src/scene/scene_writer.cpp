@@ -72,8 +72,8 @@ struct ToJson {
   }
   std::string operator()(const StatedReflection& map) const {
     StatedReflection plain;
-    plain.picture = map.picture;
-    return map.picture && map == plain ? (*this)(*map.picture) : table_json(map, indent, shared);
+    plain.picture.emplace().file = map.picture.value_or(StatedTexture{}).file;
+    return map == plain ? text_json(map.picture->file) : table_json(map, indent, shared);
   }
   std::string operator()(const StatedTexture& texture) const {
     StatedTexture plain;

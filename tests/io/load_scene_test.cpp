@@ -228,7 +228,7 @@ TEST(LoadSceneAssets, EveryRealMeshIsAScene) {
   EXPECT_GT(loaded, 10);
 }
 
-TEST(LoadScene, TexturesOfASceneFileAreReadByItsTransfer) {
+TEST(LoadSceneTextures, TexturesOfASceneFileAreReadByItsTransfer) {
   const TemporaryFolder folder;
   Image half(1, 1, 3);
   half.pixels = {0.6F, 0.6F, 0.6F};
@@ -258,7 +258,7 @@ TEST(LoadScene, TexturesOfASceneFileAreReadByItsTransfer) {
   }
 }
 
-TEST(LoadScene, ACubeHasSixPicturesAndOneThatIsMissingIsLeftOut) {
+TEST(LoadSceneTextures, ACubeHasSixPicturesAndOneThatIsMissingIsLeftOut) {
   const TemporaryFolder folder;
   Image gray(1, 1, 3);
   for (const std::string name : {"r", "l", "t", "b", "f"}) {
@@ -279,7 +279,7 @@ TEST(LoadScene, ACubeHasSixPicturesAndOneThatIsMissingIsLeftOut) {
   EXPECT_EQ(loaded.notes[0].text(), "objects[0].material.textures: reflection.back: the texture \"k.png\" is missing; drawn without it");
 }
 
-TEST(LoadScene, TexturesOutsideOfTheScenesTreeAreNotRead) {
+TEST(LoadSceneTextures, TexturesOutsideOfTheScenesTreeAreNotRead) {
   const TemporaryFolder folder;
   Image gray(1, 1, 3);
   ASSERT_TRUE(write_image(folder.path / "secret.png", gray, {}));

@@ -176,5 +176,23 @@ TEST(LoadTextures, TheResultIsTheSameForAnyNumberOfThreads) {
   }
 }
 
+TEST(LoadTextures, SixStatementsAreOneCube) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_image(folder.path / "a.png", Image(1, 1, 3), {}));
+  std::vector<Material> materials = good(parse_mtl("newmtl m\nillum 3\nrefl -type cube_top a.png\nrefl -type cube_back a.png\n"
+                                                   "refl -type sphere a.png\ndisp a.png\n",
+                                                   "m.mtl"))
+                                        .materials;
+  TextureCache cache;
+  const Notes notes = good(load_map_textures(materials, folder.path, {}, cache));
+  const auto& map = materials[0].textures.reflection;
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->shape, ReflectionShape::cube);
+  EXPECT_TRUE(map->faces[2] && map->faces[5]);
+  EXPECT_FALSE(map->faces[0] || map->faces[1] || map->faces[3] || map->faces[4]);
+  EXPECT_TRUE(materials[0].textures.displacement);
+  EXPECT_THAT(texts(notes), ElementsAre("m.mtl: refl: \"a.png\" is left out: a material reflects a sphere or a cube, and the first one counts"));
+}
+
 }  // namespace
 }  // namespace lustro

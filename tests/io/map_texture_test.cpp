@@ -19,10 +19,10 @@ struct Read {
 };
 
 /// One map statement as an MTL file has it.
-Read read(const std::string& line, bool transparency_is_tr = false) {
+Read read(const std::string& line, const MapSurroundings& around = {}) {
   Read read;
   const MtlFile file = good(parse_mtl("newmtl a\n" + line + "\n", "m.mtl"));
-  read.map = use_of_map(file.materials.at(0).maps.at(0), transparency_is_tr, [&](const std::string& note) { read.notes.push_back(note); });
+  read.map = use_of_map(file.materials.at(0).maps.at(0), around, [&](const std::string& note) { read.notes.push_back(note); });
   return read;
 }
 
@@ -34,10 +34,10 @@ std::array<float, 2> placed(const TextureUse& use, float u, float v) {
 
 TEST(MapTexture, StatementsHaveTheirPlacesInAnySpelling) {
   const std::vector<std::pair<const char*, const char*>> expected{
-      {"map_Ka", "ambient"},      {"map_Kd", "diffuse"},   {"MAP_KD", "diffuse"}, {"map_Ks", "specular"},
-      {"map_Ke", "emission"},     {"map_Ns", "shininess"}, {"map_d", "opacity"},  {"map_Tr", "opacity"},
-      {"map_opacity", "opacity"}, {"decal", "decal"},      {"bump", "bump"},      {"map_bump", "bump"},
-      {"map_Bump", "bump"},       {"norm", "normal"},      {"map_Kn", "normal"},  {"disp", "displacement"}};
+      {"map_Ka", "ambient"},    {"map_Kd", "diffuse"},        {"MAP_KD", "diffuse"},  {"map_Ks", "specular"},     {"map_Ke", "emission"},
+      {"map_Ns", "shininess"},  {"map_d", "opacity"},         {"map_Tr", "opacity"},  {"map_opacity", "opacity"}, {"decal", "decal"},
+      {"bump", "bump"},         {"map_bump", "bump"},         {"map_Bump", "bump"},   {"norm", "normal"},         {"map_Kn", "normal"},
+      {"disp", "displacement"}, {"map_Disp", "displacement"}, {"refl", "reflection"}, {"map_refl", "reflection"}};
   for (const auto& [statement, slot] : expected) {
     const Read found = read(std::string(statement) + " a.png");
     ASSERT_TRUE(found.map) << statement;
@@ -48,7 +48,7 @@ TEST(MapTexture, StatementsHaveTheirPlacesInAnySpelling) {
 }
 
 TEST(MapTexture, WhatHasNoPlaceIsNoted) {
-  EXPECT_THAT(read("refl -type sphere a.png").notes, ElementsAre("refl is kept, but not drawn: reflection maps are not drawn"));
+  EXPECT_FALSE(read("map_Pr a.png").map);
   EXPECT_THAT(read("map_Pr a.png").notes, ElementsAre("map_Pr is kept, but not drawn: the classic model has no place for it"));
 }
 
@@ -84,15 +84,75 @@ TEST(MapTexture, ClampingLeavesTheMaterialOutside) {
   EXPECT_EQ(read("map_Kd a.png").use().sampler, Sampler());
 }
 
-TEST(MapTexture, BlendingIsBothWaysOrNone) {
+TEST(MapTexture, ReflectionsAreASphereOrTheSixOfACube) {
+  const Read sphere = read("refl -type sphere -mm 0 2 a.png");
+  ASSERT_TRUE(sphere.map);
+  EXPECT_EQ(sphere.map->shape, ReflectionShape::sphere);
+  EXPECT_EQ(sphere.map->face, 0U);
+  EXPECT_EQ(sphere.use().gain, (Vec3f{2, 2, 2}));
+  EXPECT_EQ(read("refl a.png").map->shape, ReflectionShape::sphere);
+  EXPECT_THAT(placed(read("refl a.png").use(), 0.25F, 0.125F), ElementsAre(0.25F, 0.125F));  // upright as it is
+  // v = 0.75 from above is 0.25 from below, then 0.25 * 2 + 0.25 = 0.75, and from above 0.25
+  EXPECT_THAT(placed(read("refl -s 1 2 -o 0 0.25 a.png").use(), 0.25F, 0.75F), ElementsAre(0.25F, 0.25F));
+  const std::vector<std::string> faces{"cube_right", "cube_left", "cube_top", "cube_bottom", "cube_front", "cube_back"};
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const Read face = read("refl -type " + faces[i] + " a.png");
+    ASSERT_TRUE(face.map);
+    EXPECT_EQ(face.map->shape, ReflectionShape::cube);
+    EXPECT_EQ(face.map->face, i) << faces[i];
+    EXPECT_THAT(face.notes, IsEmpty());
+  }
+  EXPECT_THAT(read("map_Kd -type sphere a.png").notes, ElementsAre("map_Kd: -type is ignored: it belongs to refl"));
+}
+
+TEST(MapTexture, ReflectionsNeedAnIlluminationModelThatHasThem) {
+  for (const int model : {0, 1, 2}) {
+    const Read found = read("refl a.png", {.illumination = model});
+    EXPECT_FALSE(found.map);
+    EXPECT_THAT(found.notes,
+                ElementsAre("refl is kept, but not drawn: it belongs to illum 3 and above, and the material states " + std::to_string(model)));
+  }
+  for (const int model : {3, 8, 9}) {
+    EXPECT_TRUE(read("refl a.png", {.illumination = model}).map);
+    EXPECT_TRUE(read("map_Kd a.png", {.illumination = model - 3}).map);
+  }
+  EXPECT_TRUE(read("refl a.png").map);
+}
+
+TEST(MapTexture, HeightsOfDisplacementAreScaledAndRaised) {
+  const Read found = read("disp -mm -0.5 2 -imfchan g a.png");
+  EXPECT_EQ(found.use().gain.x, 2);
+  EXPECT_EQ(found.use().base.x, -0.5F);
+  EXPECT_EQ(found.use().channel, 1);
+  EXPECT_FALSE(found.map->may_be_normals);
+}
+
+TEST(MapTexture, BoostMakesMipLevelsFiner) {
+  EXPECT_EQ(read("map_Kd -boost 1.5 a.png").use().sampler.lod_bias, -1.5F);
+  EXPECT_EQ(read("map_Kd -boost 1e9 a.png").use().sampler.lod_bias, -16);
+  EXPECT_EQ(read("map_Kd -boost 0 a.png").use().sampler, Sampler());
+  EXPECT_THAT(read("map_Kd -boost 1.5 a.png").notes, IsEmpty());
+  const Read negative = read("map_Kd -boost -1 a.png");
+  EXPECT_EQ(negative.use().sampler.lod_bias, 0);
+  EXPECT_THAT(negative.notes, ElementsAre("map_Kd: -boost is ignored: below 0 it would blur"));
+}
+
+TEST(MapTexture, ColoursAreCorrectedWhereTheyAreDecoded) {
+  EXPECT_THAT(read("map_Kd -cc on a.png").notes, IsEmpty());
+  EXPECT_THAT(read("map_Kd -cc on a.png", {.transfer = Transfer::none}).notes,
+              ElementsAre("map_Kd: -cc is ignored: the scene's transfer takes colours as they stand"));
+}
+
+TEST(MapTexture, BlendingIsAChoiceOfEachAxis) {
   const Read none = read("map_Kd -blendu off -blendv off a.png");
   EXPECT_EQ(none.use().sampler.magnify, TextureFilter::nearest);
   EXPECT_EQ(none.use().sampler.minify, TextureFilter::nearest);
   EXPECT_EQ(none.use().sampler.mip, MipFilter::none);
   EXPECT_THAT(none.notes, IsEmpty());
   const Read half = read("map_Kd -blendv off a.png");
-  EXPECT_EQ(half.use().sampler, Sampler());
-  EXPECT_THAT(half.notes, ElementsAre("map_Kd: -blendv off is ignored: texels are blended in both directions or in none"));
+  EXPECT_EQ(half.use().sampler, (Sampler{.blend_v = false}));
+  EXPECT_EQ(read("map_Kd -blendu off a.png").use().sampler, (Sampler{.blend_u = false}));
+  EXPECT_THAT(half.notes, IsEmpty());
 }
 
 TEST(MapTexture, ChannelsBelongToMapsOfOneValue) {
@@ -113,15 +173,14 @@ TEST(MapTexture, TrIsTheOppositeOfOpacityUnlessTheCallerSaysOtherwise) {
   const auto value = [](const TextureUse& use, float texel) { return texel * use.gain.x + use.base.x; };
   EXPECT_EQ(value(read("map_Tr a.png").use(), 0.25F), 0.75F);
   EXPECT_EQ(value(read("map_Tr -mm 0.5 0.5 a.png").use(), 0.5F), 0.25F);  // 1 - (0.5 + 0.25)
-  EXPECT_EQ(value(read("map_Tr a.png", true).use(), 0.25F), 0.25F);
+  EXPECT_EQ(value(read("map_Tr a.png", {.transparency_is_tr = true}).use(), 0.25F), 0.25F);
 }
 
 TEST(MapTexture, OptionsWithoutEffectAreNoted) {
-  EXPECT_THAT(read("map_Kd -t 1 -cc on -boost 2 -texres 64 a.png").notes,
-              ElementsAre("map_Kd: -t is ignored: textures are not made turbulent",
-                          "map_Kd: -cc is ignored: colours are decoded by the scene's transfer alone",
-                          "map_Kd: -boost is ignored: mip levels are as sharp as the picture allows",
-                          "map_Kd: -texres is ignored: pictures are used at their own size"));
+  EXPECT_THAT(read("map_Kd -t 1 -texres 64 a.png").notes,
+              ElementsAre("map_Kd: -t is ignored: the format does not say which noise it means",
+                          "map_Kd: -texres is ignored: pictures are used at their own size, which is as sharp as they are"));
+  EXPECT_THAT(read("map_Kd -t 0 0 0 -boost 0 -texres 0 -cc off a.png").notes, IsEmpty());  // what exporters write who write all of them
 }
 
 const TextureSlot& slot(std::string_view key) {
@@ -149,6 +208,14 @@ TEST(StatedTextures, AMatrixStandsForThePlacement) {
   EXPECT_THAT(placed(use_of_stated(stated, slot("diffuse"), Transfer::srgb).use, 0.5F, 0.25F), ElementsAre(1.375F, 1));
   stated.v_down = false;
   EXPECT_THAT(placed(use_of_stated(stated, slot("diffuse"), Transfer::srgb).use, 0.5F, 0.25F), ElementsAre(1.375F, 0));
+}
+
+TEST(StatedTextures, ReflectionMapsStandUpright) {
+  StatedTexture stated{.file = "a.png"};
+  for (const bool v_down : {false, true}) {
+    stated.v_down = v_down;
+    EXPECT_THAT(placed(use_of_stated(stated, kReflectionSlot, Transfer::srgb).use, 0.25F, 0.125F), ElementsAre(0.25F, 0.125F));
+  }
 }
 
 TEST(StatedTextures, AnEncodedBorderIsDecodedWithColours) {

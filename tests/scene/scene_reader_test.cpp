@@ -202,7 +202,7 @@ TEST(SceneReader, AReflectionIsASphereOrACube) {
     return error_with(R"("materials": {"m": {"textures": {"reflection": )" + text + "}}}");
   };
   const std::string path = "materials.m.textures.reflection";
-  EXPECT_EQ(error_in_reflection("[]"), path + ": found a list of 0, expected the name of a picture's file or a table");
+  EXPECT_EQ(error_in_reflection("[]"), path + ": found an empty list, expected the name of a picture's file or a table");
   EXPECT_EQ(error_in_reflection("{}"), path + ".picture: is missing, expected the picture of a sphere");
   EXPECT_EQ(error_in_reflection(R"({"picture": "a", "left": "b"})"), path + ".left: belongs to shape cube, found shape sphere");
   EXPECT_EQ(error_in_reflection(R"({"shape": "cube", "picture": "a"})"), path + ".picture: belongs to shape sphere, found shape cube");
@@ -246,7 +246,7 @@ TEST(SceneReader, WrongTexturesAreNamed) {
   EXPECT_EQ(error_in_textures(R"("bump": {"file": "a", "gain": [1, 2]})"),
             "materials.m.textures.bump.gain: found a list of 2, expected a number, or a list of three [r, g, b]");
   EXPECT_EQ(error_in_textures(R"("bump": {"file": "a", "offset": [1, 1e10]})"),
-            "materials.m.textures.bump.offset[1]: 1e+10 is outside -1e+09..1e+09");
+            "materials.m.textures.bump.offset[1]: 10000000000 is outside -1000000000..1000000000");
   EXPECT_EQ(error_in_textures(R"("bump": {"file": "a", "anisotropy": 17})"), "materials.m.textures.bump.anisotropy: 17 is outside 1..16");
 }
 
