@@ -66,6 +66,11 @@ pkg_check_modules(EXPAT IMPORTED_TARGET expat) # without it no 3MF
 pkg_check_modules(DRACO IMPORTED_TARGET draco)
 find_package(meshoptimizer CONFIG QUIET)
 
+# Off unless asked for: what it reads is not fuzzed by us.
+if(LUSTRO_WITH_ASSIMP)
+  pkg_check_modules(ASSIMP REQUIRED IMPORTED_TARGET assimp)
+endif()
+
 target_link_libraries(lustro_public_dependencies INTERFACE tl::expected)
 target_include_directories(lustro_row_dependencies SYSTEM INTERFACE ${HWY_INCLUDE_DIRS})
 
@@ -74,7 +79,7 @@ set(core_libraries fmt::fmt ${lustro_threads} $<BUILD_INTERFACE:nlohmann_json::n
 target_link_libraries(lustro_core_dependencies INTERFACE ${core_libraries})
 target_link_libraries(lustro_private_dependencies INTERFACE ${core_libraries} OpenEXR::OpenEXR PkgConfig::SPNG PkgConfig::DEFLATE PkgConfig::FREETYPE)
 
-foreach(library JPEG WEBP GIF DRACO)
+foreach(library JPEG WEBP GIF DRACO ASSIMP)
   if(${library}_FOUND)
     target_link_libraries(lustro_private_dependencies INTERFACE PkgConfig::${library})
     target_compile_definitions(lustro_private_dependencies INTERFACE $<BUILD_INTERFACE:LUSTRO_HAS_${library}>)
@@ -112,4 +117,7 @@ if(GIF_FOUND)
 endif()
 if(DRACO_FOUND)
   list(APPEND LUSTRO_PKG_CONFIG_REQUIRES draco)
+endif()
+if(ASSIMP_FOUND)
+  list(APPEND LUSTRO_PKG_CONFIG_REQUIRES assimp)
 endif()

@@ -12,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "io/assimp_import.hpp"
 #include "io/find_file.hpp"
 #include "io/gltf_scene.hpp"
 #include "io/mesh_format.hpp"
@@ -48,6 +49,20 @@ Result<SourceMesh> load_obj(std::string_view bytes, const fs::path& file, const 
     return mesh;
   }
   const Result<Notes> notes = load_map_textures(mesh->materials, folder, options, textures);
+  if (!notes) {
+    return tl::unexpected(notes.error());
+  }
+  mesh->notes.insert(mesh->notes.end(), notes->begin(), notes->end());
+  return mesh;
+}
+
+/// What assimp makes of a file, with the pictures beside it.
+Result<SourceMesh> load_by_assimp(const fs::path& file, const LoadOptions& options, TextureCache& textures) {
+  Result<SourceMesh> mesh = import_by_assimp(file);
+  if (!mesh) {
+    return mesh;
+  }
+  const Result<Notes> notes = load_map_textures(mesh->materials, file.parent_path(), options, textures);
   if (!notes) {
     return tl::unexpected(notes.error());
   }
@@ -107,7 +122,12 @@ Result<ReadMesh> load(const fs::path& file, const LoadOptions& options, bool for
     case MeshFormat::unknown:
       break;
   }
-  return fail(ErrorKind::unsupported, name, fmt::format("is {}: expected {}", describe_content(bytes), readable_formats()));
+  if (assimp_reads(file)) {
+    return as_read_mesh(load_by_assimp(file, options, textures));
+  }
+  const std::string hint =
+      is_read_by_assimp_alone(file) ? "; a build of Lustro with assimp (-DLUSTRO_WITH_ASSIMP=ON) reads files of this extension" : "";
+  return fail(ErrorKind::unsupported, name, fmt::format("is {}: expected {}{}", describe_content(bytes), readable_formats(), hint));
 }
 
 }  // namespace

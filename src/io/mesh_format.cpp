@@ -114,6 +114,12 @@ MeshFormat mesh_format_of_name(const std::filesystem::path& file) {
   return MeshFormat::unknown;
 }
 
+bool is_read_by_assimp_alone(const std::filesystem::path& file) {
+  constexpr std::array<std::string_view, 20> kExtensions{".3ds", ".ac",  ".amf", ".ase", ".b3d", ".blend", ".bvh",  ".cob", ".dae", ".dxf",
+                                                         ".fbx", ".ifc", ".lwo", ".lws", ".md2", ".md3",   ".ms3d", ".wrl", ".x",   ".x3d"};
+  return std::ranges::find(kExtensions, lower_case(file.extension().string())) != kExtensions.end();
+}
+
 std::string readable_formats() {
 #ifdef LUSTRO_HAS_3MF
   return "OBJ, PLY, STL, OFF, 3MF or glTF";

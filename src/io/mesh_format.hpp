@@ -16,6 +16,9 @@ enum class MeshFormat : std::uint8_t { unknown, obj, ply, stl, off, threemf, glt
 /// The format that the extension names, in any case.
 [[nodiscard]] MeshFormat mesh_format_of_name(const std::filesystem::path& file);
 
+/// Whether the extension is one of the better-known of those that are read through assimp, where it is built in.
+[[nodiscard]] bool is_read_by_assimp_alone(const std::filesystem::path& file);
+
 /// The formats that are read, for messages: `OBJ, PLY, STL, OFF, 3MF or glTF`.
 [[nodiscard]] std::string readable_formats();
 
