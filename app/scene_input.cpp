@@ -4,6 +4,9 @@
 
 #include <fstream>
 
+#include "scene/words.hpp"
+#include "words.hpp"
+
 namespace lustro::app {
 namespace {
 
@@ -49,6 +52,9 @@ void add_input_flags(CLI::App& app, InputFlags& flags) {
   app.add_option("--gltf-camera", flags.gltf_camera, "Looks through a camera of a glTF file, by its number or name (default: frames everything)")
       ->type_name("CAMERA")
       ->group(group);
+  one_of(app.add_option("--gltf-shading", flags.gltf_shading, "How a glTF file's materials are lit (default: classic; ggx where --lighting is)"),
+         strings_of(words_of<GltfShading>()))
+      ->group(group);
   app.add_option("--time", flags.time, "Shows a glTF file at this moment of its animation (seconds; default: as it stands without it)")
       ->type_name("SECONDS")
       ->group(group);
@@ -63,6 +69,7 @@ LoadOptions load_options(const Session& session, const InputFlags& flags) {
   options.strict = flags.strict;
   options.threads = session.threads;
   options.gltf_camera = flags.gltf_camera;
+  options.gltf_shading = parse_word<GltfShading>(flags.gltf_shading).value_or(GltfShading::classic);  // the words are checked already
   options.time = flags.time;
   options.animation = flags.animation;
   return options;

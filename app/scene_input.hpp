@@ -28,11 +28,12 @@ struct InputFlags {
   bool mtl_tr = false;
   bool strict = false;
   std::string gltf_camera;
+  std::string gltf_shading = "classic";
   std::string animation;
   std::optional<double> time;
 };
 
-/// `--mtl-tr`, `--strict`, `--gltf-camera`, `--time`, `--animation`, of every command that loads.
+/// `--mtl-tr`, `--strict`, `--gltf-camera`, `--gltf-shading`, `--time`, `--animation`, of every command that loads.
 void add_input_flags(CLI::App& app, InputFlags& flags);
 
 /// How the command loads.

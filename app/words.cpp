@@ -9,6 +9,14 @@
 
 namespace lustro::app {
 
+std::vector<std::string> strings_of(std::span<const Word> words) {
+  std::vector<std::string> strings;
+  for (const Word& word : words) {
+    strings.emplace_back(word.word);
+  }
+  return strings;
+}
+
 CLI::Option* one_of(CLI::Option* option, std::vector<std::string> words) {
   option->type_name(fmt::format("{}", fmt::join(words, "|")));
   CLI::Validator is_known(

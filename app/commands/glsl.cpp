@@ -23,14 +23,6 @@ struct GlslFlags {
   std::string prefix;
 };
 
-std::vector<std::string> strings_of(std::span<const Word> words) {
-  std::vector<std::string> strings;
-  for (const Word& word : words) {
-    strings.emplace_back(word.word);
-  }
-  return strings;
-}
-
 Result<GlslOptions> options_of(const GlslFlags& flags) {
   if (flags.max_lights < 1 || flags.max_lights > 256) {
     return fail(ErrorKind::usage, "--max-lights", fmt::format("{} is outside 1..256", flags.max_lights));

@@ -78,14 +78,7 @@ Result<std::string_view> bytes_of(GltfFile& file, std::size_t index, const Parts
   if (buffer.uri == nullptr) {
     return index == 0 && parts.has_binary ? parts.binary : std::string_view();
   }
-  Result<FileBytes> bytes = fail(ErrorKind::io, {}, "no file beside the document is read here");
-  if (is_data_uri(*buffer.uri)) {
-    bytes = decode_data_uri(*buffer.uri);
-  } else if (const Result<std::string> relative = confined_path(*buffer.uri); !relative) {
-    bytes = tl::unexpected(relative.error());
-  } else if (options.read) {
-    bytes = options.read(*relative);
-  }
+  Result<FileBytes> bytes = read_gltf_uri(*buffer.uri, options.read);
   if (!bytes) {
     const Error& error = bytes.error();
     return file.fail_at(path, error.where.empty() ? error.message : error.text(), error.kind);
@@ -149,6 +142,20 @@ Result<void> unpack_views(GltfFile& file) {
 
 }  // namespace
 
+Result<FileBytes> read_gltf_uri(const std::string& uri, const std::function<Result<FileBytes>(const std::string& path)>& read) {
+  if (is_data_uri(uri)) {
+    return decode_data_uri(uri);
+  }
+  const Result<std::string> relative = confined_path(uri);
+  if (!relative) {
+    return tl::unexpected(relative.error());
+  }
+  if (!read) {
+    return fail(ErrorKind::io, {}, "no file beside the document is read here");
+  }
+  return read(*relative);
+}
+
 Result<void> GltfFile::take(std::uint64_t count, const std::string& path) {
   if (count > values_left) {
     return fail_at(path, "asks for more numbers than the file's bytes account for: its data are repeated too often", ErrorKind::limit);
@@ -186,6 +193,8 @@ Result<GltfFile> open_gltf(std::string_view bytes, const std::string& name, cons
     return tl::unexpected(done.error());
   }
   file.values_left = options.spare_values;
+  file.read = options.read;
+  file.image_limits = options.image_limits;
   for (const std::string_view buffer : file.buffers) {
     file.values_left += 16 * buffer.size();
   }

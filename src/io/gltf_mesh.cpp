@@ -9,7 +9,6 @@
 #include "image/srgb.hpp"
 #include "io/gltf_accessor.hpp"
 #include "io/gltf_draco.hpp"
-#include "io/gltf_material.hpp"
 #include "io/limits.hpp"
 
 namespace lustro {
@@ -77,6 +76,16 @@ void append_stream(std::vector<T>& to, std::vector<T>&& from, std::size_t base, 
 
 bool is_drawn(const GltfPrimitive& primitive) {
   return primitive.mode >= GltfMode::triangles && primitive.attributes.position != kGltfNone;
+}
+
+GltfMaterial material_of(const GltfDocument& document, const GltfMaterialUse& use) {
+  GltfMaterial material;
+  material.name = "default";
+  material = use.material == kGltfNone ? material : document.materials[use.material];
+  if (use.is_colored) {
+    material.metallic = 0;
+  }
+  return material;
 }
 
 /// Vertices of one primitive on their way.
@@ -338,14 +347,10 @@ void GltfMeshBuilder::append(const Vertices& vertices) {
   append_stream(mesh_.alphas, std::move(alphas), base, count, 1.0F);
 }
 
-std::uint32_t GltfMeshBuilder::material_of(std::uint32_t material, bool is_colored) {
-  const auto [found, is_new] = materials_.try_emplace({material, is_colored}, static_cast<std::uint32_t>(mesh_.materials.size()));
+std::uint32_t GltfMeshBuilder::place_of(const GltfMaterialUse& use) {
+  const auto [found, is_new] = materials_.try_emplace(use, static_cast<std::uint32_t>(material_uses_.size()));
   if (is_new) {
-    GltfMaterial stated;
-    stated.name = "default";
-    stated = material == kGltfNone ? stated : file_.document.materials[material];
-    stated.metallic = is_colored ? 0 : stated.metallic;  // vertex colours tint what is scattered, and a metal scatters nothing
-    mesh_.materials.push_back(classic_material(stated));
+    material_uses_.push_back(use);
   }
   return found->second;
 }
@@ -378,7 +383,7 @@ Result<void> GltfMeshBuilder::add_faces(const GltfPrimitive& primitive, const st
   if (mesh_.corner_position.size() + 3 * triangles > kMostElements) {
     return file_.fail_at(path, fmt::format("the mesh has more than {} corners", kMostElements), ErrorKind::limit);
   }
-  const std::uint32_t material = material_of(primitive.material, vertices.has_colors);
+  const std::uint32_t material = place_of({primitive.material, vertices.has_colors});
   const std::uint32_t smoothing = vertices.has_normals ? 1 : 0;
   has_flat_ = has_flat_ || (smoothing == 0 && triangles != 0);
   for (std::size_t t = 0; t < triangles; ++t) {

@@ -1,6 +1,7 @@
 // A glTF mesh as it stands in a pose: primitives as triangles, morph targets and skin applied.
 #pragma once
 
+#include <compare>
 #include <map>
 #include <optional>
 #include <utility>
@@ -15,10 +16,24 @@ namespace lustro {
 /// Whether a primitive becomes triangles: not points and lines, nor what has no positions.
 [[nodiscard]] bool is_drawn(const GltfPrimitive& primitive);
 
+/// A material of the document (kGltfNone: the default) on a surface with vertex colours or without: they tint what is scattered, and since a
+/// metal scatters nothing, it is drawn as no metal there.
+struct GltfMaterialUse {
+  std::uint32_t material = kGltfNone;
+  bool is_colored = false;
+  friend auto operator<=>(const GltfMaterialUse&, const GltfMaterialUse&) = default;
+};
+
+/// The material as it is drawn there.
+[[nodiscard]] GltfMaterial material_of(const GltfDocument& document, const GltfMaterialUse& use);
+
 /// Gathers primitives into one SourceMesh. Materials are those that its triangles use.
 class GltfMeshBuilder {
  public:
   GltfMeshBuilder(GltfFile& file, const GltfPose& pose) : file_(file), pose_(pose) {}
+
+  /// Which of the document's materials each of the mesh's is.
+  [[nodiscard]] const std::vector<GltfMaterialUse>& material_uses() const { return material_uses_; }
 
   /// The mesh of a node: skinned, in world space; else in the node's own space, moved by `placement`.
   /// object  the index into SourceMesh::objects that its faces get; kNone: no objects are stated
@@ -49,12 +64,13 @@ class GltfMeshBuilder {
   [[nodiscard]] Result<void> skin(const GltfPrimitive& primitive, std::uint32_t index, Vertices& vertices);
   void append(const Vertices& vertices);
   [[nodiscard]] Result<void> add_faces(const GltfPrimitive& primitive, const std::string& path, const Placed& vertices, std::uint32_t object);
-  std::uint32_t material_of(std::uint32_t material, bool is_colored);
+  std::uint32_t place_of(const GltfMaterialUse& use);
 
   GltfFile& file_;
   const GltfPose& pose_;
   SourceMesh mesh_;
-  std::map<std::pair<std::uint32_t, bool>, std::uint32_t> materials_;  ///< of the document, with vertex colours or without: index here
+  std::vector<GltfMaterialUse> material_uses_;
+  std::map<GltfMaterialUse, std::uint32_t> materials_;  ///< index here
   bool has_flat_ = false;
 };
 

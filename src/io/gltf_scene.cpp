@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "io/gltf_accessor.hpp"
 #include "io/gltf_mesh.hpp"
@@ -198,11 +199,19 @@ Notes notes_of(const GltfFile& file) {
   return notes;
 }
 
+/// The mesh with its materials.
+Result<SourceMesh> finished(GltfModel& model, GltfMeshBuilder& builder, const LoadOptions& options) {
+  SourceMesh mesh = builder.finish();
+  Result<std::vector<Material>> materials = gltf_materials(model.file, builder.material_uses(), options, model.textures, mesh.notes);
+  if (!materials) {
+    return tl::unexpected(std::move(materials).error());
+  }
+  mesh.materials = *std::move(materials);
+  return mesh;
+}
+
 /// What of the file is not drawn, each said once.
 void note_what_is_left_out(GltfDocument& document) {
-  if (!document.textures.empty()) {
-    document.notes.push_back({"textures", "textures are not drawn yet: surfaces have their factors alone"});
-  }
   if (!document.lights.empty()) {
     document.notes.push_back({"extensions.KHR_lights_punctual", "lights are not read yet"});
   }
@@ -277,7 +286,25 @@ Result<LoadedScene> gltf_scene(GltfModel& model, const std::string& source, cons
   return loaded;
 }
 
-Result<SourceMesh> gltf_node_mesh(GltfModel& model, std::size_t node) {
+Result<void> read_gltf_textures(GltfModel& model, std::span<const std::size_t> nodes, const LoadOptions& options) {
+  const GltfDocument& document = model.file.document;
+  std::set<GltfMaterialUse> uses;
+  for (const std::size_t node : nodes) {
+    if (node >= document.nodes.size() || document.nodes[node].mesh == kGltfNone) {
+      continue;
+    }
+    for (const GltfPrimitive& primitive : document.meshes[document.nodes[node].mesh].primitives) {
+      if (is_drawn(primitive)) {
+        uses.insert({primitive.material, primitive.attributes.color != kGltfNone});
+      }
+    }
+  }
+  const std::vector<GltfMaterialUse> list(uses.begin(), uses.end());
+  Notes notes;  // which come with the meshes
+  return gltf_materials(model.file, list, options, model.textures, notes).map([](const auto&) {});
+}
+
+Result<SourceMesh> gltf_node_mesh(GltfModel& model, std::size_t node, const LoadOptions& options) {
   if (node >= model.file.document.nodes.size() || model.file.document.nodes[node].mesh == kGltfNone) {
     return model.file.fail_at(fmt::format("nodes[{}]", node), "is no node with a mesh", ErrorKind::usage);
   }
@@ -285,10 +312,10 @@ Result<SourceMesh> gltf_node_mesh(GltfModel& model, std::size_t node) {
   if (const Result<void> done = builder.add(static_cast<std::uint32_t>(node), std::nullopt, SourceMesh::kNone); !done) {
     return tl::unexpected(done.error());
   }
-  return builder.finish();
+  return finished(model, builder, options);
 }
 
-Result<SourceMesh> gltf_whole_mesh(GltfModel& model) {
+Result<SourceMesh> gltf_whole_mesh(GltfModel& model, const LoadOptions& options) {
   const Result<std::vector<Place>> places = places_of(model);
   if (!places) {
     return tl::unexpected(places.error());
@@ -301,9 +328,11 @@ Result<SourceMesh> gltf_whole_mesh(GltfModel& model) {
       return tl::unexpected(done.error());
     }
   }
-  SourceMesh mesh = builder.finish();
-  Notes notes = notes_of(model.file);
-  mesh.notes.insert(mesh.notes.begin(), notes.begin(), notes.end());
+  Result<SourceMesh> mesh = finished(model, builder, options);
+  if (mesh) {
+    Notes notes = notes_of(model.file);
+    mesh->notes.insert(mesh->notes.begin(), notes.begin(), notes.end());
+  }
   return mesh;
 }
 

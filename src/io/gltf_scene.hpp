@@ -7,6 +7,7 @@
 
 #include "io/gltf_file.hpp"
 #include "io/gltf_pose.hpp"
+#include "io/gltf_textures.hpp"
 #include "lustro/scene.hpp"
 
 namespace lustro {
@@ -15,6 +16,7 @@ namespace lustro {
 struct GltfModel {
   GltfFile file;
   GltfPose pose;
+  GltfTextures textures{};
 };
 
 /// A glTF file from the disk; files that it names are read from its folder.
@@ -29,12 +31,16 @@ struct GltfModel {
 /// errors  usage for a camera that is not there; limit
 [[nodiscard]] Result<LoadedScene> gltf_scene(GltfModel& model, const std::string& source, const LoadOptions& options);
 
+/// Reads the pictures of all these nodes' meshes together, which is faster than mesh by mesh.
+/// errors  as gltf_materials()
+[[nodiscard]] Result<void> read_gltf_textures(GltfModel& model, std::span<const std::size_t> nodes, const LoadOptions& options);
+
 /// The mesh of one node, in its own space, or in world space where it has a skin.
-/// errors  usage for a node without a mesh; malformed, limit
-[[nodiscard]] Result<SourceMesh> gltf_node_mesh(GltfModel& model, std::size_t node);
+/// errors  usage for a node without a mesh; malformed, limit; as gltf_materials()
+[[nodiscard]] Result<SourceMesh> gltf_node_mesh(GltfModel& model, std::size_t node, const LoadOptions& options = {});
 
 /// All that the default scene draws as one mesh in world space.
-[[nodiscard]] Result<SourceMesh> gltf_whole_mesh(GltfModel& model);
+[[nodiscard]] Result<SourceMesh> gltf_whole_mesh(GltfModel& model, const LoadOptions& options = {});
 
 /// Equal for nodes whose meshes are the same: the same mesh, neither skinned nor differently morphed.
 [[nodiscard]] std::string gltf_mesh_key(const GltfModel& model, std::size_t index);

@@ -117,7 +117,7 @@ Result<ReadMesh> load(const fs::path& file, const LoadOptions& options, bool for
     case MeshFormat::gltf:
     case MeshFormat::glb: {
       Result<GltfModel> model = load_gltf(file, options);
-      return model ? as_read_mesh(gltf_whole_mesh(*model)) : tl::unexpected(std::move(model).error());
+      return model ? as_read_mesh(gltf_whole_mesh(*model, options)) : tl::unexpected(std::move(model).error());
     }
     case MeshFormat::unknown:
       break;

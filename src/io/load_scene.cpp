@@ -129,12 +129,34 @@ std::optional<NodeSource> node_source(const std::string& source, const fs::path&
 struct Loaded {
   std::map<std::string, std::shared_ptr<const Mesh>> meshes;
   std::map<std::string, GltfModel> models;
+  std::set<std::string> textured_models;
   TextureCache textures;
 };
 
+/// Reads the pictures of all nodes of the file that the scene shows.
+Result<void> read_all_textures(GltfModel& model, const std::string& identity, const Scene& scene, const fs::path& folder,
+                               const LoadOptions& options) {
+  std::vector<std::size_t> nodes;
+  std::map<std::string, bool> is_this;  // as the objects write the file's name
+  for (const Object& object : scene.objects) {
+    const std::optional<NodeSource> node = object.mesh == nullptr ? node_source(object.source, folder) : std::nullopt;
+    if (!node) {
+      continue;
+    }
+    const auto [known, is_new] = is_this.try_emplace(node->file);
+    if (is_new) {
+      known->second = identity_of(folder / fs::path(node->file)) == identity;
+    }
+    if (known->second) {
+      nodes.push_back(node->node);
+    }
+  }
+  return read_gltf_textures(model, nodes, options);
+}
+
 /// The mesh of a node, with those of the file's other nodes that have the same.
-Result<std::shared_ptr<const Mesh>> load_node(const NodeSource& source, const fs::path& folder, const Shading& shading,
-                                              const LoadOptions& options, Loaded& loaded, NoteList& notes) {
+Result<std::shared_ptr<const Mesh>> load_node(const NodeSource& source, const fs::path& folder, const Scene& scene, const LoadOptions& options,
+                                              Loaded& loaded, NoteList& notes) {
   const fs::path file = folder / fs::path(source.file);
   const std::string identity = identity_of(file);
   auto model = loaded.models.find(identity);
@@ -145,13 +167,18 @@ Result<std::shared_ptr<const Mesh>> load_node(const NodeSource& source, const fs
     }
     model = loaded.models.emplace(identity, std::move(*read)).first;
   }
+  if (loaded.textured_models.insert(identity).second) {
+    if (const Result<void> done = read_all_textures(model->second, identity, scene, folder, options); !done) {
+      return tl::unexpected(done.error());
+    }
+  }
   std::shared_ptr<const Mesh>& mesh = loaded.meshes[identity + "#" + gltf_mesh_key(model->second, source.node)];
   if (mesh == nullptr) {
-    Result<SourceMesh> read = gltf_node_mesh(model->second, source.node);
+    Result<SourceMesh> read = gltf_node_mesh(model->second, source.node, options);
     if (!read) {
       return tl::unexpected(std::move(read).error());
     }
-    auto built = build_read(std::move(*read), file.string(), shading, options, notes);
+    auto built = build_read(std::move(*read), file.string(), scene.shading, options, notes);
     if (!built) {
       return tl::unexpected(std::move(built).error());
     }
@@ -161,21 +188,21 @@ Result<std::shared_ptr<const Mesh>> load_node(const NodeSource& source, const fs
 }
 
 /// The mesh of an object, by its source.
-Result<std::shared_ptr<const Mesh>> load_source(const std::string& source, const fs::path& folder, const Shading& shading,
+Result<std::shared_ptr<const Mesh>> load_source(const std::string& source, const fs::path& folder, const Scene& scene,
                                                 const LoadOptions& options, Loaded& loaded, NoteList& notes) {
   if (const std::optional<NodeSource> node = node_source(source, folder)) {
-    return load_node(*node, folder, shading, options, loaded, notes);
+    return load_node(*node, folder, scene, options, loaded, notes);
   }
   const fs::path file = folder / fs::path(source);
   std::shared_ptr<const Mesh>& mesh = loaded.meshes[identity_of_source(source, file)];
   if (mesh == nullptr) {
     const std::string name = is_primitive(source) ? source : file.string();
-    Result<ReadMesh> read = read_source(source, file, shading, options, loaded.textures);
+    Result<ReadMesh> read = read_source(source, file, scene.shading, options, loaded.textures);
     if (!read) {
       const Error& error = read.error();
       return fail(error.kind, error.where.empty() ? name : error.where, error.message);
     }
-    auto built = build_read(std::move(*read), name, shading, options, notes);
+    auto built = build_read(std::move(*read), name, scene.shading, options, notes);
     if (!built) {
       return tl::unexpected(std::move(built).error());
     }
@@ -188,6 +215,9 @@ Result<std::shared_ptr<const Mesh>> load_source(const std::string& source, const
 Result<void> load_all(Scene& scene, const fs::path& folder, const LoadOptions& stated_options, Loaded& loaded, NoteList& notes, bool with_path) {
   LoadOptions options = stated_options;
   options.transfer = scene.image.transfer;
+  if (scene.shading.lighting == Lighting::ggx) {
+    options.gltf_shading = GltfShading::ggx;
+  }
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     Object& object = scene.objects[i];
     if (object.mesh != nullptr) {
@@ -197,7 +227,7 @@ Result<void> load_all(Scene& scene, const fs::path& folder, const LoadOptions& s
     if (object.source.empty()) {
       return fail(ErrorKind::usage, path, "is missing, expected a mesh file or primitive:NAME");
     }
-    auto mesh = load_source(object.source, folder, scene.shading, options, loaded, notes);
+    auto mesh = load_source(object.source, folder, scene, options, loaded, notes);
     if (!mesh) {
       return fail(mesh.error().kind, joined(path, mesh.error().where), mesh.error().message);
     }

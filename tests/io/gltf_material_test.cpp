@@ -67,10 +67,13 @@ TEST(GltfMaterial, UnlitEmissionAndOpacity) {
   m.emissive_strength = 4;
   EXPECT_EQ(classic_material(m).emission.rgb, (Vec3f{2, 0, 4}));
   EXPECT_EQ(classic_material(m).opacity, 1);  // opaque ignores alpha
+  EXPECT_EQ(classic_material(m).alpha_mode, AlphaMode::opaque);
   m.alpha = GltfMaterial::Alpha::blend;
   EXPECT_EQ(classic_material(m).opacity, 0.25F);
   m.alpha = GltfMaterial::Alpha::mask;
-  EXPECT_EQ(classic_material(m).opacity, 0);  // 0.25 is below the cutoff of 0.5
+  EXPECT_EQ(classic_material(m).opacity, 0.25F);
+  EXPECT_EQ(classic_material(m).alpha_mode, AlphaMode::mask);
+  EXPECT_EQ(classic_material(m).alpha_cutoff, 0.5F);
 }
 
 TEST(GltfMaterial, VertexColoursAreOfNoMetal) {
