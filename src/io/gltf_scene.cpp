@@ -191,6 +191,60 @@ Camera camera_at(const GltfCamera& stated, const Mat4& world) {
   return camera;
 }
 
+/// A light of KHR_lights_punctual, which shines along -z of its node.
+///
+/// Candela and lux meet a reflectance c / pi there; ours is c, so that what arrives is divided by pi: L = (c / pi) E = c (E / pi).
+Light light_at(const GltfLight& stated, const std::string& name, const Mat4& world) {
+  constexpr double kBrightest = 1e30;
+  using Kind = GltfLight::Kind;
+  Light light;
+  light.type = stated.kind == Kind::directional ? LightType::directional : stated.kind == Kind::point ? LightType::point : LightType::spot;
+  light.name = name;
+  const auto shine = [&](std::size_t i) { return static_cast<float>(std::min(stated.color[i] * stated.intensity / kPi, kBrightest)); };
+  light.diffuse = light.specular = {{shine(0), shine(1), shine(2)}, ColorSpace::linear};
+  if (light.type != LightType::point) {
+    light.direction = {-world(0, 2), -world(1, 2), -world(2, 2)};
+  }
+  if (light.type == LightType::directional) {
+    return light;
+  }
+  light.position = {world(0, 3), world(1, 3), world(2, 3)};
+  light.attenuation.falloff = 2;
+  light.attenuation.unclamped = true;
+  light.attenuation.range = stated.range;
+  if (light.type == LightType::spot) {
+    light.cutoff = std::min(degrees(stated.outer), 90.0);
+    light.beam = std::min(degrees(stated.inner), light.cutoff * (1 - 1e-9));
+    light.fade = SpotFade::quadratic;
+  }
+  return light;
+}
+
+/// The lights of the scene's nodes; nothing where there are none.
+std::optional<std::vector<Light>> lights_of(GltfModel& model) {
+  const GltfDocument& document = model.file.document;
+  std::optional<std::vector<Light>> lights;
+  for (const std::uint32_t index : scene_nodes(document)) {
+    const GltfNode& node = document.nodes[index];
+    if (node.light == kGltfNone) {
+      continue;
+    }
+    const GltfLight& stated = document.lights[node.light];
+    const Light light = light_at(stated, stated.name.empty() ? node.name : stated.name, model.pose.world[index]);
+    if (!lights) {
+      lights.emplace();
+    }
+    constexpr double kShortest = 1e-30;  // what a light's direction needs
+    if (light.type != LightType::point && !(length(light.direction) > kShortest)) {
+      model.file.document.notes.push_back(
+          {fmt::format("nodes[{}]", index), "its light has no direction, for its node is flattened: it does not shine"});
+    } else {
+      lights->push_back(light);
+    }
+  }
+  return lights;
+}
+
 Notes notes_of(const GltfFile& file) {
   Notes notes;
   for (const Note& note : file.document.notes) {
@@ -210,13 +264,6 @@ Result<SourceMesh> finished(GltfModel& model, GltfMeshBuilder& builder, const Lo
   return mesh;
 }
 
-/// What of the file is not drawn, each said once.
-void note_what_is_left_out(GltfDocument& document) {
-  if (!document.lights.empty()) {
-    document.notes.push_back({"extensions.KHR_lights_punctual", "lights are not read yet"});
-  }
-}
-
 }  // namespace
 
 Result<GltfModel> parse_gltf(std::string_view bytes, const std::string& name, const GltfOptions& gltf, const LoadOptions& options) {
@@ -231,7 +278,6 @@ Result<GltfModel> parse_gltf(std::string_view bytes, const std::string& name, co
     return tl::unexpected(std::move(pose).error());
   }
   model.pose = std::move(*pose);
-  note_what_is_left_out(model.file.document);
   return model;
 }
 
@@ -265,6 +311,7 @@ Result<LoadedScene> gltf_scene(GltfModel& model, const std::string& source, cons
     object.matrix = place.matrix;
     loaded.scene.objects.push_back(std::move(object));
   }
+  loaded.scene.lights = lights_of(model);
   const std::vector<Viewer> viewers = viewers_of(document);
   for (const Viewer& viewer : viewers) {
     loaded.cameras.push_back(viewer.name);
