@@ -14,6 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   GltfOptions gltf;
   gltf.spare_values = 1U << 18U;
+  gltf.image_limits = {.side = 512, .pixels = 1 << 16, .chunk_bytes = 1 << 20};
   gltf.read = [](const std::string& path) -> Result<FileBytes> {
     require(!path.empty() && path.front() != '/' && !path.starts_with(".."), "files are read beside the document alone");
     FileBytes beside;
@@ -42,7 +43,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         }
       }
     }
-    check_mesh(gltf_whole_mesh(*model));
+    check_mesh(gltf_whole_mesh(*model, options));
   }
   return 0;
 }

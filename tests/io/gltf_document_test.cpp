@@ -24,7 +24,9 @@ GltfMaker everything() {
   maker.json["extensionsRequired"] = {"KHR_texture_transform"};
   maker.json["scene"] = 0;
   maker.json["extensions"]["KHR_lights_punctual"]["lights"] = {
-      {{"type", "spot"}, {"intensity", 2}, {"range", 5}, {"color", {1, 0.5, 0}}, {"spot", {{"innerConeAngle", 0.1}, {"outerConeAngle", 0.2}}}}};
+      {{"type", "spot"}, {"intensity", 2}, {"range", 5}, {"color", {1, 0.5, 0}}, {"spot", {{"innerConeAngle", 0.1}, {"outerConeAngle", 0.2}}}},
+      {{"type", "directional"}, {"name", "sun"}, {"intensity", 2}},
+      {{"type", "point"}, {"range", 1}}};
   Json primitive = maker.triangle();
   Json& attributes = primitive["attributes"];
   attributes["NORMAL"] = maker.add_accessor<float>("VEC3", {0, 0, 1, 0, 0, 1, 0, 0, 1});
@@ -45,19 +47,37 @@ GltfMaker everything() {
   const Json use{{"index", 0}, {"texCoord", 0}, {"extensions", {{"KHR_texture_transform", {{"offset", {0, 0}}, {"rotation", 0.5}}}}}};
   Json scaled = use;
   scaled["scale"] = 0.5;
-  maker.json["images"] = {{{"uri", "a.png"}, {"mimeType", "image/png"}}};
+  maker.json["images"] = {{{"uri", "a.png"}, {"mimeType", "image/png"}},
+                          {{"bufferView", maker.add_view<std::uint8_t>({0x89, 'P', 'N', 'G'})}, {"mimeType", "image/png"}, {"name", "broken"}}};
   maker.json["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}, {"minFilter", 9985}}};
-  maker.json["textures"] = {{{"source", 0}, {"sampler", 0}}};
-  maker.json["materials"] = {
-      {{"pbrMetallicRoughness",
-        {{"baseColorFactor", {1, 1, 1, 1}}, {"metallicFactor", 0.5}, {"roughnessFactor", 0.5}, {"baseColorTexture", use}}},
-       {"normalTexture", scaled},
-       {"emissiveFactor", {0, 0, 0}},
-       {"alphaMode", "MASK"},
-       {"alphaCutoff", 0.5},
-       {"doubleSided", true},
-       {"extensions", {{"KHR_materials_specular", {{"specularFactor", 0.5}}}, {"KHR_materials_emissive_strength", {{"emissiveStrength", 2}}}}}},
-      {{"extensions", {{"KHR_materials_pbrSpecularGlossiness", {{"glossinessFactor", 0.5}}}}}}};
+  maker.json["textures"] = {{{"source", 0}, {"sampler", 0}}, {{"source", 1}}};
+  maker.json["materials"] = {{{"pbrMetallicRoughness",
+                               {{"baseColorFactor", {1, 1, 1, 1}},
+                                {"metallicFactor", 0.5},
+                                {"roughnessFactor", 0.5},
+                                {"baseColorTexture", use},
+                                {"metallicRoughnessTexture", use}}},
+                              {"normalTexture", scaled},
+                              {"occlusionTexture", {{"index", 1}, {"strength", 0.5}}},
+                              {"emissiveTexture", {{"index", 1}, {"texCoord", 0}}},
+                              {"emissiveFactor", {0, 0, 0}},
+                              {"alphaMode", "MASK"},
+                              {"alphaCutoff", 0.5},
+                              {"doubleSided", true},
+                              {"extensions",
+                               {{"KHR_materials_specular",
+                                 {{"specularFactor", 0.5},
+                                  {"specularColorFactor", {1, 1, 1}},
+                                  {"specularTexture", {{"index", 0}}},
+                                  {"specularColorTexture", {{"index", 1}}}}},
+                                {"KHR_materials_emissive_strength", {{"emissiveStrength", 2}}}}}},
+                             {{"extensions",
+                               {{"KHR_materials_pbrSpecularGlossiness",
+                                 {{"glossinessFactor", 0.5},
+                                  {"diffuseFactor", {1, 1, 1, 1}},
+                                  {"specularFactor", {0, 0, 0}},
+                                  {"diffuseTexture", {{"index", 0}}},
+                                  {"specularGlossinessTexture", {{"index", 0}}}}}}}}};
   maker.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.1}, {"zfar", 10}, {"aspectRatio", 1}}}},
                            {{"type", "orthographic"}, {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"znear", 0}, {"zfar", 10}}}}};
   maker.json["meshes"] = {{{"primitives", {primitive}}, {"weights", {0.5}}, {"name", "m"}}};
