@@ -26,9 +26,8 @@ struct GltfModel {
 /// The same from memory.
 [[nodiscard]] Result<GltfModel> parse_gltf(std::string_view bytes, const std::string& name, const GltfOptions& gltf, const LoadOptions& options);
 
-/// Objects, without their meshes, camera and lights (KHR_lights_punctual) of the default scene; without lights the scene states none. Notes of the document go along.
-/// source  what the objects' `source` begins with: the file's name
-/// errors  usage for a camera that is not there; limit
+/// Objects, without their meshes, camera and lights (KHR_lights_punctual) of the default scene; without lights the scene states none. Notes of
+/// the document go along. source  what the objects' `source` begins with: the file's name errors  usage for a camera that is not there; limit
 [[nodiscard]] Result<LoadedScene> gltf_scene(GltfModel& model, const std::string& source, const LoadOptions& options);
 
 /// Reads the pictures of all these nodes' meshes together, which is faster than mesh by mesh.
