@@ -170,7 +170,9 @@ bool is_beyond_shaders(const Scene& scene) {
   }
   return std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& object) {
     // Mesa's pow() is a polynomial whose error the exponent multiplies.
-    return !object.mesh->colors.empty() || !object.mesh->materials.empty() || object.material.value_or(Material{}).shininess > 200;
+    const Material material = object.material.value_or(Material{});
+    return !object.mesh->colors.empty() || !object.mesh->materials.empty() || material.shininess > 200 || material.opacity < 1 ||
+           material.textures != MaterialTextures{};
   });
 }
 

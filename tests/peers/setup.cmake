@@ -6,7 +6,7 @@ if(OSMESA_INCLUDE_DIR AND OSMESA_LIBRARY)
     ${CMAKE_CURRENT_SOURCE_DIR}/peers/gl_context.cpp ${CMAKE_CURRENT_SOURCE_DIR}/peers/gl_fixed_function.cpp ${CMAKE_CURRENT_SOURCE_DIR}/peers/gl_glsl.cpp
     ${CMAKE_CURRENT_SOURCE_DIR}/peers/peer_scenes.cpp ${CMAKE_CURRENT_SOURCE_DIR}/peers/picture_difference.cpp
     ${CMAKE_CURRENT_SOURCE_DIR}/truth/evaluate.cpp ${CMAKE_CURRENT_SOURCE_DIR}/truth/scene_tree.cpp ${CMAKE_CURRENT_SOURCE_DIR}/truth/tree_parts.cpp
-    ${CMAKE_CURRENT_SOURCE_DIR}/truth/tree_variations.cpp ${CMAKE_CURRENT_SOURCE_DIR}/truth/world.cpp)
+    ${CMAKE_CURRENT_SOURCE_DIR}/truth/tree_textures.cpp ${CMAKE_CURRENT_SOURCE_DIR}/truth/tree_variations.cpp ${CMAKE_CURRENT_SOURCE_DIR}/truth/world.cpp)
   target_include_directories(test_peers SYSTEM PRIVATE ${OSMESA_INCLUDE_DIR})
   target_compile_definitions(test_peers PRIVATE LUSTRO_HAS_OSMESA LUSTRO_PEERS_DIR="${CMAKE_BINARY_DIR}/peers")
   target_link_libraries(test_peers PRIVATE ${OSMESA_LIBRARY})

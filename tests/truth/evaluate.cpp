@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
+
+#include "texture/sampler_oracle.hpp"
 
 namespace lustro::truth {
 namespace {
@@ -40,7 +43,7 @@ struct Coefficients {
 class Judge {
  public:
   Judge(const Scene& scene, const World& world, double x, double y, const Hit& hit)
-      : scene_(scene), world_(world), hit_(hit), placed_(world.object(hit.object)), front_(world.is_front(x, y, hit)) {
+      : scene_(scene), world_(world), x_(x), y_(y), hit_(hit), placed_(world.object(hit.object)), front_(world.is_front(x, y, hit)) {
     const auto& triangle = placed_.mesh->triangles[static_cast<std::size_t>(hit.triangle)];
     std::copy(triangle.begin(), triangle.end(), corners_.begin());
   }
@@ -125,12 +128,72 @@ class Judge {
     const TermSet& terms = scene_.shading.terms;
     const Lighting lighting = material.lighting.value_or(scene_.shading.lighting);
     const Vec3d black{};
-    return {.ambient = terms.ambient ? in_light(material.ambient) * vertex_color : black,
-            .diffuse = terms.diffuse ? in_light(material.diffuse) * vertex_color : black,
-            .specular = terms.specular || lighting == Lighting::ggx ? in_light(material.specular) : black,
-            .emission = terms.emission ? in_light(material.emission) : black,
-            .shininess = static_cast<double>(material.shininess),
-            .lighting = lighting};
+    Coefficients k{.ambient = terms.ambient ? in_light(material.ambient) * vertex_color : black,
+                   .diffuse = terms.diffuse ? in_light(material.diffuse) * vertex_color : black,
+                   .specular = terms.specular || lighting == Lighting::ggx ? in_light(material.specular) : black,
+                   .emission = terms.emission ? in_light(material.emission) : black,
+                   .shininess = static_cast<double>(material.shininess),
+                   .lighting = lighting};
+    apply_maps(material.textures, k);
+    return k;
+  }
+
+  /// What a map says at the point: texel * gain + base of the colours, and the alpha; nothing where it leaves the material as it is.
+  [[nodiscard]] std::optional<Rgba> value(const TextureUse& use) const {
+    const Mesh& mesh = *placed_.mesh;
+    const auto coordinates = [&](double dx, double dy) {
+      const Hit at = world_.cast_at(x_ + dx, y_ + dy, hit_.object, hit_.triangle);
+      const Vec3d uv = mix(
+          [&](std::size_t i) {
+            const Vec2f stated = (use.uv_set == 0 ? mesh.uvs : mesh.uvs1)[corners_[i]];
+            return Vec3d{static_cast<double>(stated.x), static_cast<double>(stated.y), 0};
+          },
+          at.weights);
+      const auto m = [&](std::size_t i) { return static_cast<double>(use.uv_matrix[i]); };
+      return std::array{m(0) * uv.x + m(1) * uv.y + m(2), m(3) * uv.x + m(4) * uv.y + m(5)};
+    };
+    constexpr double kStep = 1e-3;  // pixels, for central differences
+    const auto [u, v] = coordinates(0, 0);
+    const auto [left_u, left_v] = coordinates(-kStep, 0);
+    const auto [right_u, right_v] = coordinates(kStep, 0);
+    const auto [upper_u, upper_v] = coordinates(0, -kStep);
+    const auto [lower_u, lower_v] = coordinates(0, kStep);
+    if (use.leaves_outside && (u < 0 || u > 1 || v < 0 || v > 1)) {
+      return {};
+    }
+    constexpr double kPixel = 0.5 / kStep;
+    Rgba texel = SamplerOracle(*use.texture, use.sampler)
+                     .sample({u, v, (right_u - left_u) * kPixel, (right_v - left_v) * kPixel, (lower_u - upper_u) * kPixel,
+                              (lower_v - upper_v) * kPixel});
+    const Vec3d gain = vec_cast<double>(use.gain);
+    const Vec3d base = vec_cast<double>(use.base);
+    return Rgba{texel[0] * gain.x + base.x, texel[1] * gain.y + base.y, texel[2] * gain.z + base.z, texel[3]};
+  }
+
+  void apply_maps(const MaterialTextures& maps, Coefficients& k) const {
+    const auto multiply = [&](const std::optional<TextureUse>& use, Vec3d& color) {
+      if (const std::optional<Rgba> factor = use ? value(*use) : std::nullopt) {
+        color = color * Vec3d{(*factor)[0], (*factor)[1], (*factor)[2]};
+      }
+    };
+    multiply(maps.ambient, k.ambient);
+    multiply(maps.diffuse, k.diffuse);
+    multiply(maps.specular, k.specular);
+    multiply(maps.emission, k.emission);
+    if (const std::optional<Rgba> factor = maps.shininess ? value(*maps.shininess) : std::nullopt) {
+      const Rgba& f = *factor;
+      const double one = maps.shininess->channel < 3 ? f[maps.shininess->channel] : 0.2126 * f[0] + 0.7152 * f[1] + 0.0722 * f[2];
+      k.shininess = std::clamp(k.shininess * one, 0.0, 10000.0);
+    }
+    if (const std::optional<Rgba> decal = maps.decal ? value(*maps.decal) : std::nullopt) {
+      const auto lay_over = [&](Vec3d& color) { color = color + (Vec3d{(*decal)[0], (*decal)[1], (*decal)[2]} - color) * (*decal)[3]; };
+      if (scene_.shading.terms.ambient) {
+        lay_over(k.ambient);
+      }
+      if (scene_.shading.terms.diffuse) {
+        lay_over(k.diffuse);
+      }
+    }
   }
 
   /// I = k_e + k_a I_a + sum_i f_i s_i [ k_a l_a + k_d l_d max(N.L, 0) + k_s l_s spec ]
@@ -240,6 +303,7 @@ class Judge {
 
   const Scene& scene_;
   const World& world_;
+  double x_, y_;
   const Hit& hit_;
   const World::Placed& placed_;
   bool front_;

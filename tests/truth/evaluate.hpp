@@ -1,5 +1,6 @@
 // The independent judge, part two: the equation of docs/using/scene-file.md at one point, in double precision and with the C library's pow and
-// exp. It shares no line with src/.
+// exp. Maps are looked up by tests/texture/sampler_oracle.hpp at coordinates whose slopes are differences between rays. It shares no line with
+// src/.
 #pragma once
 
 #include "truth/world.hpp"

@@ -74,6 +74,7 @@ const std::vector<TreeScene>& scene_tree() {
     std::vector<TreeScene> scenes;
     add_core(scenes);
     add_variations(scenes);
+    add_textures(scenes);
     return scenes;
   }();
   return tree;

@@ -13,9 +13,10 @@
 namespace lustro::truth {
 
 struct TreeScene {
-  std::string name;      ///< a path in the tree: `phong/gouraud/point/polynomial/orthographic`, `variations/fog/exp2/...`
-  std::string geometry;  ///< scenes of equal `geometry` show the same triangles at the same pixels
-  Scene scene;           ///< meshes loaded; `source` names them where a scene file can
+  std::string name;       ///< a path in the tree: `phong/gouraud/point/polynomial/orthographic`, `variations/fog/exp2/...`
+  std::string geometry;   ///< scenes of equal `geometry` show the same triangles at the same pixels
+  Scene scene;            ///< meshes loaded; `source` names them where a scene file can
+  bool is_judged = true;  ///< the judge in double precision knows all that it shows
 };
 
 /// The whole tree, always in the same order.

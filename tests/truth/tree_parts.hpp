@@ -29,6 +29,9 @@ struct LightKind {
 /// Everything that the core of the tree keeps fixed, varied one at a time.
 void add_variations(std::vector<TreeScene>& tree);
 
+/// Maps of every kind. Scenes of `textures/` are for the judge; those of `pictures/` show what it does not calculate.
+void add_textures(std::vector<TreeScene>& tree);
+
 [[nodiscard]] Mat4 translation(double x, double y, double z);
 [[nodiscard]] Mat4 scaling(double x, double y, double z);
 /// A rotation about an axis (0, 1, 2) whose cosine and sine are 0.8 and 0.6: exact decimals, no libm.
