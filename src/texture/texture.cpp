@@ -44,18 +44,49 @@ float sound(float x) {
   return std::isnan(x) ? 0.0F : std::clamp(x, -kMostValue, kMostValue) + 0.0F;
 }
 
-Rgba rgba_of(const Image& pixels, std::size_t i) {
-  const float* p = pixels.pixels.data() + i * static_cast<std::size_t>(pixels.channels);
+/// One row of a picture as RGBA.
+template <int kChannels, bool kIsSound>
+void read_row(const float* from, std::size_t width, Rgba* to) {
+  const auto value = [](float x) { return kIsSound ? x : sound(x); };
+  for (std::size_t x = 0; x < width; ++x, from += kChannels) {
+    if constexpr (kChannels < 3) {
+      const float gray = value(from[0]);
+      to[x] = {gray, gray, gray, kChannels == 2 ? value(from[1]) : 1};
+    } else {
+      to[x] = {value(from[0]), value(from[1]), value(from[2]), kChannels == 4 ? value(from[3]) : 1};
+    }
+  }
+}
+
+template <bool kIsSound>
+void read_row(const Image& pixels, std::int32_t y, Rgba* to) {
+  const auto width = static_cast<std::size_t>(pixels.width);
+  const float* const from = pixels.pixels.data() + static_cast<std::size_t>(y) * width * static_cast<std::size_t>(pixels.channels);
   switch (pixels.channels) {
     case 1:
-      return {sound(p[0]), sound(p[0]), sound(p[0]), 1};
+      return read_row<1, kIsSound>(from, width, to);
     case 2:
-      return {sound(p[0]), sound(p[0]), sound(p[0]), sound(p[1])};
+      return read_row<2, kIsSound>(from, width, to);
     case 3:
-      return {sound(p[0]), sound(p[1]), sound(p[2]), 1};
+      return read_row<3, kIsSound>(from, width, to);
     default:
-      return {sound(p[0]), sound(p[1]), sound(p[2]), sound(p[3])};
+      return read_row<4, kIsSound>(from, width, to);
   }
+}
+
+// Whether every value is one of 0..1. In blocks: a loop that may end anywhere is no loop of vectors.
+bool is_all_unit(const std::vector<float>& values) {
+  constexpr std::size_t kBlock = 4096;
+  for (std::size_t begin = 0; begin < values.size(); begin += kBlock) {
+    int outside = 0;
+    for (std::size_t i = begin; i < std::min(begin + kBlock, values.size()); ++i) {
+      outside |= static_cast<int>(!(values[i] >= 0.0F)) | static_cast<int>(!(values[i] <= 1.0F));
+    }
+    if (outside != 0) {
+      return false;
+    }
+  }
+  return true;
 }
 
 // A level in float, rows without padding.
@@ -63,10 +94,56 @@ struct FloatLevel {
   std::int32_t width = 0, height = 0;
   std::vector<Rgba> texels;
 
-  const Rgba& operator()(std::int32_t x, std::int32_t y) const {
-    return texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
-  }
+  [[nodiscard]] const Rgba* row(std::int32_t y) const { return texels.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width); }
+  [[nodiscard]] Rgba* row(std::int32_t y) { return texels.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width); }
 };
+
+/// The rows of the larger level that one row of the smaller one takes.
+struct SourceRows {
+  Share down;
+  std::array<const Rgba*, 3> rows{};
+};
+
+// How many of a share's texels count.
+std::size_t count_of(const Share& share) {
+  return share.weights[1] > 0 ? (share.weights[2] > 0 ? 3 : 2) : 1;
+}
+
+/// The order of the sums is the same on every way: along the row first, from left to right.
+void halve_row(const SourceRows& source, std::int32_t from_width, std::int32_t to_width, Rgba* to) {
+  const std::size_t rows = count_of(source.down);
+  if (from_width % 2 == 0 && rows == 2) {  // most rows by far
+    const Rgba* upper = source.rows[0];
+    const Rgba* lower = source.rows[1];
+    const float first = source.down.weights[0], second = source.down.weights[1];
+    for (std::int32_t x = 0; x < to_width; ++x, upper += 2, lower += 2) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        const float above = upper[0][c] * 0.5F + upper[1][c] * 0.5F;
+        const float below = lower[0][c] * 0.5F + lower[1][c] * 0.5F;
+        to[x][c] = above * first + below * second + 0.0F;
+      }
+    }
+    return;
+  }
+  for (std::int32_t x = 0; x < to_width; ++x) {
+    const Share across = share_of(x, from_width, to_width);
+    const std::size_t columns = count_of(across);
+    Rgba sum{};
+    for (std::size_t j = 0; j < rows; ++j) {
+      Rgba row{};
+      for (std::size_t i = 0; i < columns; ++i) {
+        const Rgba& texel = source.rows[j][static_cast<std::size_t>(across.first) + i];
+        for (std::size_t c = 0; c < 4; ++c) {
+          row[c] = row[c] + texel[c] * across.weights[i];
+        }
+      }
+      for (std::size_t c = 0; c < 4; ++c) {
+        sum[c] = sum[c] + row[c] * source.down.weights[j];
+      }
+    }
+    to[x] = sum;
+  }
+}
 
 }  // namespace
 
@@ -77,28 +154,23 @@ class TextureMaker {
   std::shared_ptr<const Texture> make() {
     texture_->channels_ = pixels_.channels;
     lay_out();
-    const bool is_unorm = std::all_of(pixels_.pixels.begin(), pixels_.pixels.end(), [](float x) { return x >= 0 && x <= 1; });
+    is_unorm_ = is_all_unit(pixels_.pixels);
     const auto& last = texture_->levels_.back();
     const std::size_t texels = static_cast<std::size_t>(last.first) + static_cast<std::size_t>(last.row) * static_cast<std::size_t>(last.height);
-    if (is_unorm) {
+    if (is_unorm_) {
       texture_->unorms_.resize(4 * texels);
     } else {
       texture_->floats_.resize(4 * texels);
     }
-    const auto width = static_cast<std::size_t>(pixels_.width);
-    const auto picture = [&](std::int32_t x, std::int32_t y) {
-      return rgba_of(pixels_, static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x));
-    };
-    store_level(texture_->levels_[0], picture);
-    FloatLevel before;
-    for (std::size_t i = 1; i < texture_->levels_.size(); ++i) {
-      const TextureLevel& level = texture_->levels_[i];
-      if (i == 1) {
-        before = halve(pixels_.width, pixels_.height, level, picture);
-      } else {
-        before = halve(before.width, before.height, level, before);
-      }
-      store_level(level, before);
+    if (texture_->levels_.size() == 1) {
+      Rgba texel{};
+      read(0, &texel);
+      store_row(texture_->levels_[0], 0, &texel);
+      return texture_;
+    }
+    FloatLevel before = picture_and_first_level();
+    for (std::size_t i = 2; i < texture_->levels_.size(); ++i) {
+      before = next_level(before, texture_->levels_[i]);
     }
     return texture_;
   }
@@ -117,58 +189,72 @@ class TextureMaker {
     }
   }
 
+  void read(std::int32_t y, Rgba* to) const { is_unorm_ ? read_row<true>(pixels_, y, to) : read_row<false>(pixels_, y, to); }
+
   // Rows in parallel; rows(begin, end).
   template <class Rows>
   void in_rows(std::int32_t width, std::int32_t height, const Rows& rows) const {
     parallel_slices(
         static_cast<std::size_t>(height), threads_,
-        [&](std::size_t begin, std::size_t end) {
-          for (auto y = static_cast<std::int32_t>(begin); y < static_cast<std::int32_t>(end); ++y) {
-            rows(y);
-          }
-        },
+        [&](std::size_t begin, std::size_t end) { rows(static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end)); },
         std::max<std::size_t>(1, kSmallestSlice / static_cast<std::size_t>(width)));
   }
 
-  template <class At>
-  void store_level(const TextureLevel& level, const At& texel_at) {
-    in_rows(level.width, level.height, [&](std::int32_t y) {
-      std::size_t place = 4 * (static_cast<std::size_t>(level.first) + static_cast<std::size_t>(y) * static_cast<std::size_t>(level.row));
-      for (std::int32_t x = 0; x < level.row; ++x, place += 4) {
-        const Rgba texel = texel_at(x < level.width ? x : 0, y);
-        for (std::size_t c = 0; c < 4; ++c) {
-          if (!texture_->unorms_.empty()) {
-            texture_->unorms_[place + c] = static_cast<std::uint16_t>(texel[c] * 65535 + 0.5F);
-          } else {
-            texture_->floats_[place + c] = texel[c];
-          }
-        }
+  void store_row(const TextureLevel& level, std::int32_t y, const Rgba* row) {
+    const std::size_t place = 4 * (static_cast<std::size_t>(level.first) + static_cast<std::size_t>(y) * static_cast<std::size_t>(level.row));
+    const std::size_t count = 4 * static_cast<std::size_t>(level.width);
+    const float* const from = row->data();
+    if (is_unorm_) {
+      std::uint16_t* const to = texture_->unorms_.data() + place;
+      for (std::size_t i = 0; i < count; ++i) {
+        to[i] = static_cast<std::uint16_t>(static_cast<std::int32_t>(from[i] * 65535 + 0.5F));
       }
-    });
+      std::copy_n(to, 4, to + count);
+    } else {
+      float* const to = texture_->floats_.data() + place;
+      std::copy_n(from, count, to);
+      std::copy_n(from, 4, to + count);
+    }
   }
 
-  template <class At>
-  FloatLevel halve(std::int32_t from_width, std::int32_t from_height, const TextureLevel& to, const At& texel_at) const {
-    FloatLevel result{to.width, to.height, {}};
-    result.texels.resize(static_cast<std::size_t>(to.width) * static_cast<std::size_t>(to.height));
-    in_rows(to.width, to.height, [&](std::int32_t y) {
-      const Share down = share_of(y, from_height, to.height);
-      for (std::int32_t x = 0; x < to.width; ++x) {
-        const Share across = share_of(x, from_width, to.width);
-        Rgba sum{};
-        for (std::int32_t j = 0; j < 3 && down.weights[static_cast<std::size_t>(j)] > 0; ++j) {
-          Rgba row{};
-          for (std::int32_t i = 0; i < 3 && across.weights[static_cast<std::size_t>(i)] > 0; ++i) {
-            const Rgba texel = texel_at(across.first + i, down.first + j);
-            for (std::size_t c = 0; c < 4; ++c) {
-              row[c] = row[c] + texel[c] * across.weights[static_cast<std::size_t>(i)];
-            }
-          }
-          for (std::size_t c = 0; c < 4; ++c) {
-            sum[c] = sum[c] + row[c] * down.weights[static_cast<std::size_t>(j)];
+  // The picture is read once: each row is stored, and gives its share to the first level while it is at hand.
+  FloatLevel picture_and_first_level() {
+    const TextureLevel& picture = texture_->levels_[0];
+    const TextureLevel& level = texture_->levels_[1];
+    FloatLevel result{level.width, level.height, {}};
+    result.texels.resize(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height));
+    in_rows(picture.width, level.height, [&](std::int32_t begin, std::int32_t end) {
+      const auto width = static_cast<std::size_t>(picture.width);
+      std::vector<Rgba> rows(3 * width);
+      for (std::int32_t y = begin; y < end; ++y) {
+        SourceRows source{share_of(y, picture.height, level.height)};
+        const std::int32_t stored = y + 1 < level.height ? 2 : 3;  // the last row of an odd height belongs to the last slice
+        for (std::size_t j = 0; j < count_of(source.down); ++j) {
+          source.rows[j] = rows.data() + j * width;
+          const std::int32_t row = source.down.first + static_cast<std::int32_t>(j);
+          read(row, rows.data() + j * width);
+          if (static_cast<std::int32_t>(j) < stored) {
+            store_row(picture, row, source.rows[j]);
           }
         }
-        result.texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(to.width) + static_cast<std::size_t>(x)] = sum;
+        halve_row(source, picture.width, level.width, result.row(y));
+        store_row(level, y, result.row(y));
+      }
+    });
+    return result;
+  }
+
+  FloatLevel next_level(const FloatLevel& before, const TextureLevel& level) {
+    FloatLevel result{level.width, level.height, {}};
+    result.texels.resize(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height));
+    in_rows(level.width, level.height, [&](std::int32_t begin, std::int32_t end) {
+      for (std::int32_t y = begin; y < end; ++y) {
+        SourceRows source{share_of(y, before.height, level.height)};
+        for (std::size_t j = 0; j < count_of(source.down); ++j) {
+          source.rows[j] = before.row(source.down.first + static_cast<std::int32_t>(j));
+        }
+        halve_row(source, before.width, level.width, result.row(y));
+        store_row(level, y, result.row(y));
       }
     });
     return result;
@@ -176,6 +262,7 @@ class TextureMaker {
 
   const Image& pixels_;
   int threads_;
+  bool is_unorm_ = false;
   std::shared_ptr<Texture> texture_;
 };
 
