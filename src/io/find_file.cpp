@@ -54,7 +54,9 @@ std::optional<fs::path> find_in_other_case(const fs::path& file) {
 bool is_confined(const fs::path& folder, const fs::path& file) {
   std::error_code error;
   const fs::path inner = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error);
-  const fs::path target = error ? fs::path() : fs::weakly_canonical(file, error);
+  // absolute first: of a relative path that is not there weakly_canonical() would make nothing
+  const fs::path absolute = error ? fs::path() : fs::absolute(file, error);
+  const fs::path target = error ? fs::path() : fs::weakly_canonical(absolute, error);
   if (error) {
     return false;
   }
