@@ -37,7 +37,7 @@ constexpr std::array kSlots{kBase, kMetallicRoughness, kNormal, kOcclusion, kEmi
 /// Where the roles come from, in the order of GltfRole, and which channels they read.
 struct Source {
   Slot slot;
-  std::array<bool, 4> channels;
+  std::array<bool, 4> channels{};
 };
 constexpr std::array<Source, kGltfRoles> kSources{{{kBase, {true, true, true, false}},
                                                    {kMetallicRoughness, {false, false, true, false}},
