@@ -1,7 +1,6 @@
 // A glTF mesh as it stands in a pose: primitives as triangles, morph targets and skin applied.
 #pragma once
 
-#include <compare>
 #include <map>
 #include <optional>
 #include <utility>
@@ -21,7 +20,9 @@ namespace lustro {
 struct GltfMaterialUse {
   std::uint32_t material = kGltfNone;
   bool is_colored = false;
-  friend auto operator<=>(const GltfMaterialUse&, const GltfMaterialUse&) = default;
+  friend bool operator<(const GltfMaterialUse& a, const GltfMaterialUse& b) {
+    return a.material != b.material ? a.material < b.material : !a.is_colored && b.is_colored;
+  }
 };
 
 /// The material as it is drawn there.
