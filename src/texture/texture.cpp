@@ -9,8 +9,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <new>
 
+#include "parallel/big_memory.hpp"
 #include "parallel/slices.hpp"
 
 namespace lustro {
@@ -89,6 +91,30 @@ bool is_all_unit(const std::vector<float>& values) {
   return true;
 }
 
+// Whether every value, of 0..1, is a whole 255th, up to what writing it as a float rounds.
+bool is_all_whole(const std::vector<float>& values) {
+  constexpr std::size_t kBlock = 4096;
+  for (std::size_t begin = 0; begin < values.size(); begin += kBlock) {
+    int broken = 0;
+    for (std::size_t i = begin; i < std::min(begin + kBlock, values.size()); ++i) {
+      const float scaled = values[i] * 255;
+      broken |= static_cast<int>(std::abs(scaled - static_cast<float>(static_cast<std::int32_t>(scaled + 0.5F))) > 1e-4F);
+    }
+    if (broken != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// The smallest format that does for the picture: see texture.hpp.
+Texture::Format format_of(const Image& pixels) {
+  if (!is_all_unit(pixels.pixels)) {
+    return Texture::Format::float32;
+  }
+  return pixels.channels > 1 && is_all_whole(pixels.pixels) ? Texture::Format::unorm8 : Texture::Format::unorm16;
+}
+
 // A level in float, rows without padding.
 struct FloatLevel {
   std::int32_t width = 0, height = 0;
@@ -154,13 +180,19 @@ class TextureMaker {
   std::shared_ptr<const Texture> make() {
     texture_->channels_ = pixels_.channels;
     lay_out();
-    is_unorm_ = is_all_unit(pixels_.pixels);
+    format_ = format_of(pixels_);
     const auto& last = texture_->levels_.back();
     const std::size_t texels = static_cast<std::size_t>(last.first) + static_cast<std::size_t>(last.row) * static_cast<std::size_t>(last.height);
-    if (is_unorm_) {
-      texture_->unorms_.resize(4 * texels);
-    } else {
-      texture_->floats_.resize(4 * texels);
+    switch (format_) {
+      case Texture::Format::unorm8:
+        resize_for(texture_->bytes_, texels);
+        break;
+      case Texture::Format::unorm16:
+        resize_for(texture_->unorms_, texels);
+        break;
+      case Texture::Format::float32:
+        resize_for(texture_->floats_, texels);
+        break;
     }
     if (texture_->levels_.size() == 1) {
       Rgba texel{};
@@ -189,7 +221,15 @@ class TextureMaker {
     }
   }
 
-  void read(std::int32_t y, Rgba* to) const { is_unorm_ ? read_row<true>(pixels_, y, to) : read_row<false>(pixels_, y, to); }
+  template <class T>
+  static void resize_for(std::vector<T>& numbers, std::size_t texels) {
+    constexpr std::size_t kReadAhead = 16;  // bytes
+    resize_big(numbers, 4 * texels + kReadAhead / sizeof(T));
+  }
+
+  void read(std::int32_t y, Rgba* to) const {
+    format_ != Texture::Format::float32 ? read_row<true>(pixels_, y, to) : read_row<false>(pixels_, y, to);
+  }
 
   // Rows in parallel; rows(begin, end).
   template <class Rows>
@@ -204,16 +244,20 @@ class TextureMaker {
     const std::size_t place = 4 * (static_cast<std::size_t>(level.first) + static_cast<std::size_t>(y) * static_cast<std::size_t>(level.row));
     const std::size_t count = 4 * static_cast<std::size_t>(level.width);
     const float* const from = row->data();
-    if (is_unorm_) {
-      std::uint16_t* const to = texture_->unorms_.data() + place;
+    const auto store_as = [&](auto& numbers, auto&& stored) {
+      auto* const to = numbers.data() + place;
       for (std::size_t i = 0; i < count; ++i) {
-        to[i] = static_cast<std::uint16_t>(static_cast<std::int32_t>(from[i] * 65535 + 0.5F));
+        to[i] = stored(from[i]);
       }
       std::copy_n(to, 4, to + count);
-    } else {
-      float* const to = texture_->floats_.data() + place;
-      std::copy_n(from, count, to);
-      std::copy_n(from, 4, to + count);
+    };
+    switch (format_) {
+      case Texture::Format::unorm8:
+        return store_as(texture_->bytes_, [](float x) { return static_cast<std::uint8_t>(static_cast<std::int32_t>(x * 255 + 0.5F)); });
+      case Texture::Format::unorm16:
+        return store_as(texture_->unorms_, [](float x) { return static_cast<std::uint16_t>(static_cast<std::int32_t>(x * 65535 + 0.5F)); });
+      case Texture::Format::float32:
+        return store_as(texture_->floats_, [](float x) { return x; });
     }
   }
 
@@ -222,7 +266,7 @@ class TextureMaker {
     const TextureLevel& picture = texture_->levels_[0];
     const TextureLevel& level = texture_->levels_[1];
     FloatLevel result{level.width, level.height, {}};
-    result.texels.resize(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height));
+    resize_big(result.texels, static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height));
     in_rows(picture.width, level.height, [&](std::int32_t begin, std::int32_t end) {
       const auto width = static_cast<std::size_t>(picture.width);
       std::vector<Rgba> rows(3 * width);
@@ -246,7 +290,7 @@ class TextureMaker {
 
   FloatLevel next_level(const FloatLevel& before, const TextureLevel& level) {
     FloatLevel result{level.width, level.height, {}};
-    result.texels.resize(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height));
+    resize_big(result.texels, static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height));
     in_rows(level.width, level.height, [&](std::int32_t begin, std::int32_t end) {
       for (std::int32_t y = begin; y < end; ++y) {
         SourceRows source{share_of(y, before.height, level.height)};
@@ -262,7 +306,7 @@ class TextureMaker {
 
   const Image& pixels_;
   int threads_;
-  bool is_unorm_ = false;
+  Texture::Format format_ = Texture::Format::unorm16;
   std::shared_ptr<Texture> texture_;
 };
 
@@ -272,7 +316,17 @@ std::array<float, 4> Texture::texel(std::size_t level, int x, int y) const {
       4 * (static_cast<std::size_t>(l.first) + static_cast<std::size_t>(y) * static_cast<std::size_t>(l.row) + static_cast<std::size_t>(x));
   std::array<float, 4> result{};
   for (std::size_t c = 0; c < 4; ++c) {
-    result[c] = unorms_.empty() ? floats_[place + c] : static_cast<float>(unorms_[place + c]) * (1.0F / 65535);
+    switch (format()) {
+      case Format::unorm8:
+        result[c] = static_cast<float>(bytes_[place + c]) * (1.0F / 255);
+        break;
+      case Format::unorm16:
+        result[c] = static_cast<float>(unorms_[place + c]) * (1.0F / 65535);
+        break;
+      case Format::float32:
+        result[c] = floats_[place + c];
+        break;
+    }
   }
   return result;
 }
