@@ -133,7 +133,7 @@ inline void each_map(const ShadingMaps& maps, std::size_t count, MapStrip& s, Ta
       find_places(map, count, s);
       placed = &map;
     }
-    const bool is_read = is_placed && read != nullptr && !has_alpha && read->texels.unorms == map.texels.unorms &&
+    const bool is_read = is_placed && read != nullptr && !has_alpha && read->texels.bytes == map.texels.bytes && read->texels.unorms == map.texels.unorms &&
                          read->texels.floats == map.texels.floats && read->gain == map.gain && read->base == map.base &&
                          are_equal(read->sampler.border, map.sampler.border);
     if (!is_read) {

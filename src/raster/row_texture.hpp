@@ -35,7 +35,7 @@ class LaneFetch {
     }
     return result;
   }
-  [[nodiscard]] HWY_INLINE float unit() const { return layout_.unorms != nullptr ? 65535.0F : 1.0F; }
+  [[nodiscard]] HWY_INLINE float unit() const { return layout_.unit; }
   [[nodiscard]] HWY_INLINE float scale() const { return layout_.scale; }
 
  private:
@@ -48,6 +48,14 @@ class LaneFetch {
     store(places.data(), place);
     hn::Vec<IntTag> words[4];
     Pair pair;
+    if (layout_.bytes != nullptr) {  // 16 bytes, of which 8 count
+      load_quads([&](std::size_t i) { return reinterpret_cast<const std::int32_t*>(layout_.bytes + std::size_t{4} * number(places[i])); },
+                 words);
+      const auto channel = [&](std::size_t w, int shift) { return to_float((Int(words[w]) >> shift) & Int(0xFF)); };
+      pair.left = {channel(0, 0), channel(0, 8), channel(0, 16), channel(0, 24)};
+      pair.right = {channel(1, 0), channel(1, 8), channel(1, 16), channel(1, 24)};
+      return pair;
+    }
     if (HWY_LIKELY(layout_.unorms != nullptr)) {
       load_quads([&](std::size_t i) { return reinterpret_cast<const std::int32_t*>(layout_.unorms + std::size_t{4} * number(places[i])); },
                  words);

@@ -320,12 +320,15 @@ class TexelReader {
     }
     return result;
   }
-  [[nodiscard]] float unit() const { return layout_.unorms != nullptr ? 65535.0F : 1.0F; }
+  [[nodiscard]] float unit() const { return layout_.unit; }
   [[nodiscard]] float scale() const { return layout_.scale; }
 
  private:
   [[nodiscard]] float number(std::int32_t place, std::size_t channel) const {
     const std::size_t i = std::size_t{4} * static_cast<std::size_t>(place) + channel;
+    if (layout_.bytes != nullptr) {
+      return static_cast<float>(layout_.bytes[i]);
+    }
     return layout_.unorms != nullptr ? static_cast<float>(layout_.unorms[i]) : layout_.floats[i];
   }
 

@@ -1,8 +1,12 @@
 // A picture as it is looked up: texels of all mip levels in one block of memory.
 //
-// Texels are straight RGBA in linear light (or data, as they stand), never premultiplied. Values of 0..1 are kept as 16 bits a channel, 8 bytes
-// a texel: the smallest step of an 8-bit sRGB picture is 19.9 steps of these, and no code moves by more than 1/40 of the step to its
-// neighbour; an 8-bit data value v is stored as v 257, which is no rounding at all. A picture with any other value is kept as floats.
+// Texels are straight RGBA in linear light (or data, as they stand), never premultiplied. Three formats, the smallest that does for the picture:
+//   unorm8    every value is a whole 255th: normals, masks, whatever was 8 bits and is no light. 4 bytes a texel: what is looked up comes from
+//             the caches, and half the bytes are half the wait. Not for pictures of one value: heights are looked at by their differences, which
+//             8 bits would cut into steps in the smaller levels
+//   unorm16   values of 0..1: the smallest step of an 8-bit sRGB picture is 19.9 steps of these, and no code moves by more than 1/40 of the
+//             step to its neighbour; an 8-bit value v is stored as v 257, which is no rounding at all
+//   float32   any other picture
 #pragma once
 
 #include <cstddef>
@@ -24,30 +28,38 @@ struct TextureLevel {
 /// A texture as kernels read it: numbers, and pointers into the Texture that owns them.
 ///
 /// Texel p is channels 4 p .. 4 p + 3 of the block. Behind every row's last texel stands the row's first one once more: the two texels of a
-/// bilinear pair lie side by side, also where the picture repeats, and one load of 16 bytes brings both. Where it does not repeat the second
-/// one has weight 0 (texture/sample.hpp).
+/// bilinear pair lie side by side, also where the picture repeats, and one load brings both. Where it does not repeat the second one has
+/// weight 0 (texture/sample.hpp). 16 bytes may be read from any texel on.
 struct TextureLayout {
   const TextureLevel* levels = nullptr;
-  const std::uint16_t* unorms = nullptr;  ///< 65535 is 1; null where the texels are floats
+  const std::uint8_t* bytes = nullptr;  ///< one of the three is not null
+  const std::uint16_t* unorms = nullptr;
   const float* floats = nullptr;
   std::int32_t level_count = 0;
-  float scale = 1;  ///< what a texel's number is multiplied by: 1/65535, or 1
+  float unit = 1;   ///< the number that stands for 1: 255, 65535, or 1
+  float scale = 1;  ///< what a texel's number is multiplied by: 1 / unit
 };
 
 /// Texels and mip levels, immutable.
 class Texture {
  public:
-  enum class Format : std::uint8_t { unorm16, float32 };
+  enum class Format : std::uint8_t { unorm8, unorm16, float32 };
 
-  [[nodiscard]] Format format() const { return unorms_.empty() ? Format::float32 : Format::unorm16; }
+  [[nodiscard]] Format format() const { return !bytes_.empty() ? Format::unorm8 : (!unorms_.empty() ? Format::unorm16 : Format::float32); }
   [[nodiscard]] const std::vector<TextureLevel>& levels() const { return levels_; }
   [[nodiscard]] int width() const { return levels_[0].width; }
   [[nodiscard]] int height() const { return levels_[0].height; }
   [[nodiscard]] int channels() const { return channels_; }  ///< of the picture that it was made of
   [[nodiscard]] TextureLayout layout() const {
-    const bool is_unorm = format() == Format::unorm16;
-    return {levels_.data(), is_unorm ? unorms_.data() : nullptr, is_unorm ? nullptr : floats_.data(), static_cast<std::int32_t>(levels_.size()),
-            is_unorm ? 1.0F / 65535 : 1.0F};
+    const Format format = this->format();
+    const float unit = format == Format::unorm8 ? 255.0F : (format == Format::unorm16 ? 65535.0F : 1.0F);
+    return {levels_.data(),
+            format == Format::unorm8 ? bytes_.data() : nullptr,
+            format == Format::unorm16 ? unorms_.data() : nullptr,
+            format == Format::float32 ? floats_.data() : nullptr,
+            static_cast<std::int32_t>(levels_.size()),
+            unit,
+            1.0F / unit};
   }
   /// RGBA of one texel of a level; x may be the width, which is column 0 again.
   [[nodiscard]] std::array<float, 4> texel(std::size_t level, int x, int y) const;
@@ -57,8 +69,9 @@ class Texture {
   Texture() = default;
 
   int channels_ = 4;
-  std::vector<TextureLevel> levels_;   // the picture itself first, 1 x 1 last
-  std::vector<std::uint16_t> unorms_;  // one of the two is empty
+  std::vector<TextureLevel> levels_;  // the picture itself first, 1 x 1 last
+  std::vector<std::uint8_t> bytes_;   // one of the three is not empty
+  std::vector<std::uint16_t> unorms_;
   std::vector<float> floats_;
 };
 

@@ -23,8 +23,10 @@ class Random {
 std::shared_ptr<const Texture> random_texture(Random& random, bool is_hdr) {
   constexpr std::array kSizes{1, 2, 3, 5, 16, 31, 64};
   Image image(kSizes[random.below(kSizes.size())], kSizes[random.below(kSizes.size())], static_cast<int>(1 + random.below(4)));
+  const bool is_bytes = random.below(2) == 0;
   for (float& value : image.pixels) {
-    value = random.unit() * (is_hdr ? 3 : 1);
+    const float unit = random.unit();
+    value = is_hdr ? unit * 3 : (is_bytes ? std::floor(unit * 255) / 255 : unit);
   }
   return *make_texture(image);
 }

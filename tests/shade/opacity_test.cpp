@@ -18,9 +18,11 @@ TEST(Opacity, IsTheSameEverywhereUnlessSomethingVariesIt) {
   EXPECT_TRUE(opacity.is_uniform());
   opacity.has_halo = true;
   EXPECT_FALSE(opacity.is_uniform());
-  opacity = {.has_vertex_alphas = true};
+  opacity = {};
+  opacity.has_vertex_alphas = true;
   EXPECT_FALSE(opacity.is_uniform());
-  opacity = {.has_map = true};
+  opacity = {};
+  opacity.has_map = true;
   EXPECT_FALSE(opacity.is_uniform());
 }
 

@@ -10,7 +10,51 @@
 namespace lustro {
 namespace {
 
-TEST(Texture, EightBitDataIsStoredAs257TimesItself) {
+TEST(Texture, EightBitDataIsStoredAsItIs) {
+  for (const int channels : {2, 3, 4}) {
+    Image image(256, 1, channels);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+      image.pixels[i] = i % 2 == 0 ? static_cast<float>(i * 7 % 256) / 255 : static_cast<float>(i * 7 % 256) * (1.0F / 255);
+    }
+    const auto texture = made(image);
+    ASSERT_EQ(texture->format(), Texture::Format::unorm8);
+    for (std::size_t x = 0; x < 256; ++x) {
+      const std::size_t alpha = static_cast<std::size_t>(channels) - 1;
+      const std::size_t i = x * static_cast<std::size_t>(channels);
+      EXPECT_EQ(texture->layout().bytes[4 * x], i * 7 % 256);
+      EXPECT_EQ(texture->layout().bytes[4 * x + 3], channels == 3 ? 255 : (i + alpha) * 7 % 256);
+      EXPECT_FLOAT_EQ(texture->texel(0, static_cast<int>(x), 0)[0], image.pixels[i]);
+    }
+  }
+}
+
+TEST(Texture, SmallerLevelsOfBytesAreRoundedOnce) {
+  Image image(4, 4, 3);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    image.pixels[i] = static_cast<float>(i * 37 % 256) / 255;
+  }
+  const auto texture = made(image);
+  ASSERT_EQ(texture->format(), Texture::Format::unorm8);
+  for (std::size_t c = 0; c < 3; ++c) {
+    double sum = 0;
+    for (std::size_t i = c; i < image.pixels.size(); i += 3) {
+      sum += static_cast<double>(i * 37 % 256);
+    }
+    EXPECT_EQ(texture->layout().bytes[4 * static_cast<std::size_t>(texture->levels()[2].first) + c], std::lround(sum / 16));
+  }
+}
+
+TEST(Texture, OneValueOutsideTheWhole255thsKeepsSixteenBits) {
+  Image image(64, 64, 3);
+  std::fill(image.pixels.begin(), image.pixels.end(), 17.0F / 255);
+  EXPECT_EQ(made(image)->format(), Texture::Format::unorm8);
+  image.pixels[5000] = 17.001F / 255;
+  EXPECT_EQ(made(image)->format(), Texture::Format::unorm16);
+  image.pixels[5000] = 1.5F;
+  EXPECT_EQ(made(image)->format(), Texture::Format::float32);
+}
+
+TEST(Texture, EightBitHeightsAreStoredAs257TimesThemselves) {
   Image image(256, 1, 1);
   for (int v = 0; v < 256; ++v) {
     image.at(v, 0)[0] = static_cast<float>(v) / 255;
@@ -48,11 +92,17 @@ TEST(Texture, GrayIsInAllColoursAndAlphaIsOneWhereNoneIsStated) {
   one.pixels = {0.2F};
   two.pixels = {0.2F, 0.4F};
   three.pixels = {0.2F, 0.4F, 0.6F};
-  four.pixels = {0.2F, 0.4F, 0.6F, 0.8F};  // multiples of 1/5, so of 1/65535
-  EXPECT_EQ(made(one)->texel(0, 0, 0), (Rgba{0.2F, 0.2F, 0.2F, 1}));
-  EXPECT_EQ(made(two)->texel(0, 0, 0), (Rgba{0.2F, 0.2F, 0.2F, 0.4F}));
-  EXPECT_EQ(made(three)->texel(0, 0, 0), (Rgba{0.2F, 0.4F, 0.6F, 1}));
-  EXPECT_EQ(made(four)->texel(0, 0, 0), (Rgba{0.2F, 0.4F, 0.6F, 0.8F}));
+  four.pixels = {0.2F, 0.4F, 0.6F, 0.8F};  // multiples of 1/5, so of 1/65535 and of 1/255
+  const auto expect_texel = [](const Image& image, const Rgba& expected) {
+    const Rgba found = made(image)->texel(0, 0, 0);
+    for (std::size_t c = 0; c < 4; ++c) {
+      EXPECT_FLOAT_EQ(found[c], expected[c]);
+    }
+  };
+  expect_texel(one, Rgba{0.2F, 0.2F, 0.2F, 1});
+  expect_texel(two, Rgba{0.2F, 0.2F, 0.2F, 0.4F});
+  expect_texel(three, Rgba{0.2F, 0.4F, 0.6F, 1});
+  expect_texel(four, Rgba{0.2F, 0.4F, 0.6F, 0.8F});
 }
 
 TEST(Texture, EveryRowEndsWithItsFirstTexelAgain) {
