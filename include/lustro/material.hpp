@@ -108,6 +108,7 @@ struct Material {
   AlphaMode alpha_mode = AlphaMode::blend;
   float alpha_cutoff = 0.5F;           ///< of AlphaMode::mask
   std::optional<Lighting> lighting{};  ///< the material's own model, else the scene's
+  std::optional<Culling> cull{};       ///< faces of which this side is seen are left out; else the scene's
 
   // What an MTL file says beyond the classic model, kept for the renderers that use it.
   Color transmission{{1, 1, 1}};      ///< Tf

@@ -74,6 +74,9 @@ Material classic_material(const GltfMaterial& m, GltfShading shading) {
     result.lighting = Lighting::constant;
     result.diffuse = linear({m.base[0], m.base[1], m.base[2]});
   }
+  if (!m.is_double_sided) {
+    result.cull = Culling::back;
+  }
   using Alpha = GltfMaterial::Alpha;
   result.alpha_mode = m.alpha == Alpha::blend ? AlphaMode::blend : m.alpha == Alpha::mask ? AlphaMode::mask : AlphaMode::opaque;
   result.alpha_cutoff = static_cast<float>(m.alpha_cutoff);

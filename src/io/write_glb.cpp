@@ -224,7 +224,7 @@ Json GlbWriter::material_json(const Material& material) {
     surface["baseColorTexture"] = *std::move(texture);
   }
   textures_ += material.maps.empty() && material.textures != MaterialTextures{} ? 1U : 0U;
-  Json json{{"name", material.name}, {"pbrMetallicRoughness", std::move(surface)}, {"doubleSided", true}};
+  Json json{{"name", material.name}, {"pbrMetallicRoughness", std::move(surface)}, {"doubleSided", material.cull != Culling::back}};
   const Vec3f emission = linear(material.emission);
   const float strength = std::max({emission.x, emission.y, emission.z, 1.0F});
   if (emission != Vec3f{}) {

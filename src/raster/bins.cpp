@@ -60,7 +60,7 @@ bool looks_away(const PreparedScene& scene, const Instance& instance, const Clus
   }
   // The angles between the cone's axis and the sight, of the cone, and of the ball around the box as the eye sees it: cosine and sine of the
   // sum.
-  double cosine = (scene.shading.cull == Culling::back ? 1 : -1) * dot(vec_cast<double>(cone.axis), sight) / distance;
+  double cosine = (instance.cull == Culling::back ? 1 : -1) * dot(vec_cast<double>(cone.axis), sight) / distance;
   double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
   const auto widen = [&](double c, double s) {
     const double sum = cosine * c - sine * s;
@@ -206,7 +206,7 @@ void sort_into_tiles(Frame& frame, BinWork& work, int threads) {
     BinWork::Part& part = work.parts[p];
     const Instance& instance = scene.instances[part.instance];
     const Clusters& clusters = instance.drawable->clusters;
-    const bool has_cones = scene.shading.cull != Culling::none && instance.is_similarity && !instance.drawable->cones.empty();
+    const bool has_cones = instance.cull != Culling::none && instance.is_similarity && !instance.drawable->cones.empty();
     for (std::uint32_t c = part.first; c < part.last; ++c) {
       const Cluster& cluster = clusters.clusters[c];
       const Sight sight = look_at(frame, instance, cluster, has_cones ? &instance.drawable->cones[c] : nullptr);

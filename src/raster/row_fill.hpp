@@ -295,15 +295,30 @@ HWY_INLINE void keep_record(TileScratch& s, Record& t, const TriangleLanes& lane
   ++s.record_count;
 }
 
-/// Those of kLanes triangles whose material has the alpha mode at hand.
-inline HWY_NOINLINE Mask of_mode(const Canvas& c, const TriangleSource& source, Mask stays) {
+/// Whether a material asks for other treatment than that of all triangles alike.
+HWY_INLINE bool is_mixed(const Instance& instance) {
+  return instance.alpha_modes != bit_of(AlphaMode::opaque) || instance.has_mixed_culling;
+}
+
+/// Those of kLanes triangles that are drawn now: their material has the alpha mode at hand, and, where materials differ in that, it does not
+/// leave out the side that is seen. Which side that is, is known of the small ones.
+inline HWY_NOINLINE Mask chosen_by_material(const Canvas& c, const TriangleSource& source, Mask stays, Mask is_small, Mask is_back) {
   alignas(64) std::array<std::int32_t, kLanes> chosen{};
+  const std::uint32_t small = mask_bits(is_small);
+  const std::uint32_t back = mask_bits(is_back);
   for (std::uint32_t left = mask_bits(stays); left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(__builtin_ctz(left));
-    const std::uint32_t material = source.instance.material_of(source.in_mesh(i));
-    chosen[i] = c.frame.scene->materials[material].opacity.mode == c.mode ? 1 : 0;
+    const ShadingMaterial& material = c.frame.scene->materials[source.instance.material_of(source.in_mesh(i))];
+    const bool is_left_out = (small >> i & 1U) != 0 && material.cull == ((back >> i & 1U) != 0 ? Culling::back : Culling::front);
+    chosen[i] = material.opacity.mode == c.mode && !is_left_out ? 1 : 0;
   }
   return load(chosen.data()) > Int(0);
+}
+
+/// What of a triangle is left out.
+HWY_INLINE Culling culling_of(const Canvas& c, const TriangleSource& source, std::size_t i) {
+  const Instance& instance = source.instance;
+  return HWY_UNLIKELY(instance.has_mixed_culling) ? c.frame.scene->materials[instance.material_of(source.in_mesh(i))].cull : instance.cull;
 }
 
 /// Below this extent triangles are filled many at a time: together they cost less than each in vectors that it fills in part.
@@ -409,7 +424,7 @@ inline HWY_NOINLINE void fill_one(const Canvas& c, const TriangleLanes& lanes, c
       t.key[k] = s.vertices[vertex].key;
     }
     if (!orient(t, source.instance.is_mirrored) ||
-        c.frame.scene->shading.cull == ((t.flags & Record::kBack) != 0 ? Culling::back : Culling::front)) {
+        culling_of(c, source, i) == ((t.flags & Record::kBack) != 0 ? Culling::back : Culling::front)) {
       return;
     }
   }
@@ -431,7 +446,7 @@ inline HWY_NOINLINE void fill_triangles(const Canvas& c, const Instance& instanc
   constexpr std::int32_t kCenter = kSubpixelUnits / 2;
   const Int to_first_x(kSubpixelUnits - 1 - kCenter - frame.highest.x), to_first_y(kSubpixelUnits - 1 - kCenter - frame.highest.y);
   const Int to_last_x(kCenter + frame.lowest.x), to_last_y(kCenter + frame.lowest.y);
-  const Culling culling = frame.scene->shading.cull;
+  const Culling culling = instance.cull;
   TriangleLanes lanes;
 
   for (std::size_t begin = 0; begin < cluster.triangles; begin += kLanes) {
@@ -458,13 +473,14 @@ inline HWY_NOINLINE void fill_triangles(const Canvas& c, const Instance& instanc
     const Int area2 = (x1 - x0) * (y2 - y0) - (y1 - y0) * (x2 - x0);  // of the small ones
     stays = stays & !(is_small & (area2 == Int(0)));
     const TriangleSource source{instance, cluster, begin};
-    if (HWY_UNLIKELY(instance.alpha_modes != bit_of(AlphaMode::opaque))) {
-      stays = of_mode(c, source, stays);
+    const Mask is_swapped = area2 < Int(0);
+    if (HWY_UNLIKELY(is_mixed(instance))) {
+      // Counter-clockwise with y up is a negative area with y down.
+      stays = chosen_by_material(c, source, stays, is_small, instance.is_mirrored ? is_swapped : !is_swapped);
       if (!any_of(stays)) {
         continue;
       }
     }
-    const Mask is_swapped = area2 < Int(0);
     if (culling != Culling::none) {
       // Counter-clockwise with y up is a negative area with y down.
       const bool keeps_swapped = (culling == Culling::back) != instance.is_mirrored;

@@ -176,6 +176,7 @@ WeightSlopes<float> weight_slopes_at(const View& view, const ScreenTriangle& t, 
 void setup_triangle(const PreparedScene& scene, std::uint32_t instance_index, std::uint32_t index, std::vector<ScreenTriangle>& out) {
   const Instance& instance = scene.instances[instance_index];
   const auto& corners = instance.mesh->triangles[index];
+  const Culling cull = scene.materials[instance.material_of(index)].cull;
   Polygon polygon;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3f p = instance.image_from_object(instance.mesh->positions[corners[i]]);
@@ -199,7 +200,7 @@ void setup_triangle(const PreparedScene& scene, std::uint32_t instance_index, st
     }
     // Counter-clockwise with y up is a negative area with y down.
     const bool is_front = (area2 < 0) != instance.is_mirrored;
-    if (scene.shading.cull == (is_front ? Culling::front : Culling::back)) {
+    if (cull == (is_front ? Culling::front : Culling::back)) {
       continue;
     }
     const bool is_swapped = area2 < 0;

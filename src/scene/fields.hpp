@@ -76,12 +76,12 @@ template <class T>
 using Member =
     std::variant<bool T::*, int T::*, float T::*, double T::*, std::optional<double> T::*, Vec3d T::*, std::optional<Vec3d> T::*, Mat4 T::*,
                  Color T::*, ColorAlpha<T>, std::string T::*, TermSet T::*, Transfer T::*, Projection T::*, ViewPreset T::*, Lighting T::*,
-                 std::optional<Lighting> T::*, Interpolation T::*, NormalInterpolation T::*, VertexNormals T::*, Culling T::*, LightType T::*,
-                 SpotFade T::*, FogMode T::*, ImageSettings T::*, Camera T::*, Shading T::*, Attenuation T::*, std::optional<Fog> T::*,
-                 std::optional<std::vector<Light>> T::*, std::vector<Object> T::*, std::optional<Material> T::*, AlphaMode T::*,
-                 StatedTextures T::*, std::optional<StatedTexture> T::*, std::optional<StatedReflection> T::*, ReflectionShape T::*,
-                 WrapPair T::*, TextureFilter T::*, MipFilter T::*, TextureChannel T::*, Vec2f T::*, Vec3f T::*,
-                 std::optional<std::array<float, 6>> T::*, std::monostate>;
+                 std::optional<Lighting> T::*, Interpolation T::*, NormalInterpolation T::*, VertexNormals T::*, Culling T::*,
+                 std::optional<Culling> T::*, LightType T::*, SpotFade T::*, FogMode T::*, ImageSettings T::*, Camera T::*, Shading T::*,
+                 Attenuation T::*, std::optional<Fog> T::*, std::optional<std::vector<Light>> T::*, std::vector<Object> T::*,
+                 std::optional<Material> T::*, AlphaMode T::*, StatedTextures T::*, std::optional<StatedTexture> T::*,
+                 std::optional<StatedReflection> T::*, ReflectionShape T::*, WrapPair T::*, TextureFilter T::*, MipFilter T::*,
+                 TextureChannel T::*, Vec2f T::*, Vec3f T::*, std::optional<std::array<float, 6>> T::*, std::monostate>;
 
 /// One key of the struct T.
 template <class T>

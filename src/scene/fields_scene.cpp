@@ -67,6 +67,7 @@ constexpr std::array kMaterialFields{
     Field<Material>{"alpha_mode", "", &Material::alpha_mode, "what the opacity means"},
     Field<Material>{"alpha_cutoff", "", &Material::alpha_cutoff, "of alpha_mode mask: where the opacity is less there is nothing", "", kUnit},
     Field<Material>{"lighting", "", &Material::lighting, "this material's own way of being lit", "", {}, "that of `shading`"},
+    Field<Material>{"cull", "", &Material::cull, "faces of this material that are left out", "", {}, "that of `shading`"},
     Field<Material>{"textures", "", &Material::stated_textures, "pictures of what varies over the surface", "", {}, "none"},
 };
 

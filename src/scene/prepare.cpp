@@ -38,6 +38,7 @@ void prepare_material(const Material& material, const Shading& shading, Transfer
   const auto keep = [](bool on, const Color& color) { return on ? color.rgb : Vec3f{}; };
   result.albedo = result.stated.diffuse.rgb;
   result.lighting = material.lighting.value_or(shading.lighting);
+  result.cull = material.cull.value_or(shading.cull);
   const bool has_specular = terms.specular || result.lighting == Lighting::ggx;  // whose k_s takes from the diffuse part; the lights' own is 0
   result.coefficients = {keep(terms.ambient, result.stated.ambient), keep(terms.diffuse, result.stated.diffuse),
                          keep(has_specular, result.stated.specular), keep(terms.emission, result.stated.emission), material.shininess};
@@ -253,7 +254,22 @@ Result<void> add_object(PreparedScene& prepared, const Scene& scene, std::size_t
   } else {
     add({});
   }
+  const auto own = std::span(prepared.materials).subspan(instance.first_material, materials - instance.first_material);
+  instance.has_mixed_culling = std::any_of(own.begin(), own.end(), [&](const ShadingMaterial& m) { return m.cull != own[0].cull; });
+  instance.cull = instance.has_mixed_culling ? Culling::none : own[0].cull;
   return {};
+}
+
+// Whether faces of the object may be left out by the side that is seen.
+bool culls(const Object& object, const Shading& shading) {
+  const auto does = [&](const Material& material) { return material.cull.value_or(shading.cull) != Culling::none; };
+  if (object.material) {
+    return does(*object.material);
+  }
+  if (object.mesh->materials.empty()) {
+    return shading.cull != Culling::none;
+  }
+  return std::any_of(object.mesh->materials.begin(), object.mesh->materials.end(), does);
 }
 
 // Objects have meshes, meshes are sound, matrices are affine and finite: whatever follows may rely on it.
@@ -267,7 +283,7 @@ Result<void> check_objects(const Scene& scene, MeshCache& cache, int threads, st
     const MeshDemand demand{.normals = {.weights = scene.shading.vertex_normals, .crease_deg = scene.shading.crease.value_or(180)},
                             .wants_normals = scene.shading.interpolation != Interpolation::flat,
                             .encoded_colors = scene.image.transfer != Transfer::none,
-                            .wants_cones = scene.shading.cull != Culling::none,
+                            .wants_cones = culls(object, scene.shading),
                             .tangents = tangents_for(object, scene.shading),
                             .displacement = displacement_of(object)};
     auto drawable = cache.get(object.mesh, demand, threads, where + ".mesh");

@@ -41,6 +41,7 @@ struct ShadingMaterial {
   Coefficients<float> coefficients{};
   Vec3f albedo;  ///< k_d, linear, also when the diffuse term is off
   Lighting lighting = Lighting::phong;
+  Culling cull = Culling::none;
   Material stated;  ///< as the scene states it, with linear colours
   ShadingMaps maps;
   ShadingOpacity opacity;
@@ -62,6 +63,8 @@ struct Instance {
   std::uint32_t first_material = 0;  ///< index into PreparedScene::materials of the mesh's material 0
   bool has_own_materials = false;    ///< false: every triangle has first_material
   AlphaModes alpha_modes = 0;        ///< of its materials
+  Culling cull = Culling::none;      ///< of its materials, where all are of one mind
+  bool has_mixed_culling = false;    ///< where they are not
   bool is_mirrored = false;          ///< the matrix turns the winding round
   bool is_similarity = false;        ///< the matrix keeps angles: normals may be interpolated before they are turned
   float size = 1;                    ///< how many times larger than the mesh it is drawn: the cube root of the growth of its volume

@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
+#include "app/exit_codes.hpp"
 #include "app/run_command.hpp"
 #include "app/scenes.hpp"
-#include "exit_codes.hpp"
 #include "lustro/image.hpp"
 
 namespace {

@@ -1,4 +1,5 @@
 // The project's own shaders, run by OpenGL: `#version 300 es` as it stands (GL_ARB_ES3_compatibility).
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -107,7 +108,8 @@ void set_light(const Uniforms& uniforms, const std::string& name, const Light& l
   uniforms.set(name + ".cos_cutoff", cosine(light.cutoff));
   uniforms.set(name + ".range_scale", a.range ? 1 / *a.range : 0);
   uniforms.set(name + ".cos_beam", light.beam ? cosine(*light.beam) : 0);
-  uniforms.set(name + ".beam_scale", light.beam ? 1 / (cosine(*light.beam) - cosine(light.cutoff)) : 0);
+  const double least = light.fade == SpotFade::quadratic ? 0.001 : 0;  // KHR_lights_punctual
+  uniforms.set(name + ".beam_scale", light.beam ? 1 / std::max(cosine(*light.beam) - cosine(light.cutoff), least) : 0);
   uniforms.set(name + ".fades_quadratically", light.fade == SpotFade::quadratic ? 1 : 0);
   uniforms.set(name + ".exponent", light.exponent);
 }

@@ -160,6 +160,8 @@ void open_up(Random& random, Scene& scene) {
       Material opaque = material, mask = material;
       opaque.alpha_mode = AlphaMode::opaque;
       mask.alpha_mode = AlphaMode::mask;
+      opaque.cull = static_cast<Culling>(random.below(3));
+      mask.cull = static_cast<Culling>(random.below(3));
       mesh->materials = {opaque, mask, material};
       for (std::size_t i = 0; i < mesh->triangles.size(); ++i) {
         mesh->triangle_material.push_back(random.below(3));

@@ -392,5 +392,26 @@ TEST(Aov, NamesAreParsedAndUnknownOnesNamed) {
   EXPECT_EQ(aov_names().size(), 17U);
 }
 
+TEST(Render, AMaterialMayLeaveOutASideOfItsFaces) {
+  auto mesh = std::make_shared<Mesh>(*triangle_mesh({-1, -1, 0}, {1, -1, 0}, {0, 1, 0}));  // seen from the front
+  mesh->positions.insert(mesh->positions.end(), {{-1, -1, -1}, {0, 1, -1}, {1, -1, -1}});  // behind it, seen from behind
+  mesh->normals.resize(6, {0, 0, 1});
+  mesh->triangles.push_back({3, 4, 5});
+  mesh->materials.resize(2);
+  mesh->triangle_material = {0, 1};
+  Scene scene = plain_scene(mesh);
+  const auto triangle_seen = [&] { return drawn(scene, {.aovs = {{AovKind::triangle}}}).layers[0].image.at(32, 24)[0]; };
+  EXPECT_EQ(triangle_seen(), 0);
+  mesh->materials[0].cull = Culling::front;
+  EXPECT_EQ(triangle_seen(), 1);
+  mesh->materials[1].cull = Culling::back;
+  EXPECT_EQ(triangle_seen(), -1);
+  mesh->materials[0].cull = Culling::none;  // whatever the scene says
+  scene.shading.cull = Culling::front;
+  EXPECT_EQ(triangle_seen(), 0);
+  mesh->materials[0].cull.reset();
+  EXPECT_EQ(triangle_seen(), -1);
+}
+
 }  // namespace
 }  // namespace lustro

@@ -291,7 +291,7 @@ TEST(SceneReader, EveryKeyOfTheTableRefusesAWrongTypeAtItsPath) {
       ++checked;
     }
   }
-  EXPECT_EQ(checked, 68 + 3 + 12 + 18 + 8);
+  EXPECT_EQ(checked, 69 + 3 + 12 + 18 + 8);
 }
 
 }  // namespace

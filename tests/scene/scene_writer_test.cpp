@@ -155,6 +155,9 @@ class SceneMaker {
     if (coin()) {
       m.lighting = word<Lighting>(4);
     }
+    if (coin()) {
+      m.cull = word<Culling>(3);
+    }
     m.alpha_mode = word<AlphaMode>(3);
     m.alpha_cutoff = unit();
     for (const auto slot : {&StatedTextures::diffuse, &StatedTextures::opacity, &StatedTextures::normal, &StatedTextures::displacement}) {
