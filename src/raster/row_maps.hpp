@@ -133,9 +133,9 @@ inline void each_map(const ShadingMaps& maps, std::size_t count, MapStrip& s, Ta
       find_places(map, count, s);
       placed = &map;
     }
-    const bool is_read = is_placed && read != nullptr && !has_alpha && read->texels.bytes == map.texels.bytes && read->texels.unorms == map.texels.unorms &&
-                         read->texels.floats == map.texels.floats && read->gain == map.gain && read->base == map.base &&
-                         are_equal(read->sampler.border, map.sampler.border);
+    const bool is_read = is_placed && read != nullptr && !has_alpha && read->texels.bytes == map.texels.bytes &&
+                         read->texels.unorms == map.texels.unorms && read->texels.floats == map.texels.floats && read->gain == map.gain &&
+                         read->base == map.base && are_equal(read->sampler.border, map.sampler.border);
     if (!is_read) {
       has_alpha ? read_map<true>(map, count, s) : read_map<false>(map, count, s);
       read = &map;
