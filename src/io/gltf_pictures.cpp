@@ -32,7 +32,8 @@ Result<std::shared_ptr<const Texture>> read_texture(const GltfFile& file, const 
   } else {
     bytes = file.views[image.view];
   }
-  const Result<Image> pixels = decode_texture_image(std::as_bytes(std::span(bytes)), format_name, content, transfer, file.image_limits);
+  const Result<Image> pixels =
+      decode_texture_image(std::as_bytes(std::span<const char>(bytes.data(), bytes.size())), format_name, content, transfer, file.image_limits);
   if (!pixels) {
     return file.fail_at(path, format_name == path ? pixels.error().message : pixels.error().text(), pixels.error().kind);
   }

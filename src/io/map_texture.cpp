@@ -71,7 +71,7 @@ std::size_t face_of_type(std::string_view type) {
   if (!type.starts_with(kCube)) {
     return 0;
   }
-  const auto* const face = std::ranges::find(kCubeFaces, type.substr(kCube.size()));
+  const auto* const face = std::find(kCubeFaces.begin(), kCubeFaces.end(), type.substr(kCube.size()));
   return face == kCubeFaces.end() ? 0 : static_cast<std::size_t>(face - kCubeFaces.begin());
 }
 

@@ -117,7 +117,7 @@ MeshFormat mesh_format_of_name(const std::filesystem::path& file) {
 bool is_read_by_assimp_alone(const std::filesystem::path& file) {
   constexpr std::array<std::string_view, 20> kExtensions{".3ds", ".ac",  ".amf", ".ase", ".b3d", ".blend", ".bvh",  ".cob", ".dae", ".dxf",
                                                          ".fbx", ".ifc", ".lwo", ".lws", ".md2", ".md3",   ".ms3d", ".wrl", ".x",   ".x3d"};
-  return std::ranges::find(kExtensions, lower_case(file.extension().string())) != kExtensions.end();
+  return std::find(kExtensions.begin(), kExtensions.end(), lower_case(file.extension().string())) != kExtensions.end();
 }
 
 std::string readable_formats() {

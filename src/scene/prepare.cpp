@@ -254,7 +254,7 @@ Result<void> add_object(PreparedScene& prepared, const Scene& scene, std::size_t
   } else {
     add({});
   }
-  const auto own = std::span(prepared.materials).subspan(instance.first_material, materials - instance.first_material);
+  const auto own = std::span<const ShadingMaterial>(prepared.materials).subspan(instance.first_material, materials - instance.first_material);
   instance.has_mixed_culling = std::any_of(own.begin(), own.end(), [&](const ShadingMaterial& m) { return m.cull != own[0].cull; });
   instance.cull = instance.has_mixed_culling ? Culling::none : own[0].cull;
   return {};

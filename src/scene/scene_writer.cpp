@@ -65,6 +65,7 @@ struct ToJson {
   }
   std::string operator()(const std::array<float, 6>& matrix) const {
     std::vector<std::string> numbers;
+    numbers.reserve(matrix.size());
     for (const float number : matrix) {
       numbers.push_back(number_json(number));
     }

@@ -126,7 +126,7 @@ struct FloatLevel {
 
 /// The rows of the larger level that one row of the smaller one takes.
 struct SourceRows {
-  Share down;
+  Share down{};
   std::array<const Rgba*, 3> rows{};
 };
 
