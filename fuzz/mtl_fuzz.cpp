@@ -26,7 +26,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const lustro::TextureMap& map : material.maps) {
       require(!map.file.empty() && !map.statement.empty(), "a map names its file");
       std::size_t notes = 0;
-      const auto use = lustro::use_of_map(map, options.transparency_is_tr, [&](const std::string& note) { notes += note.empty() ? 0 : 1; });
+      const auto use = lustro::use_of_map(map, {.transparency_is_tr = options.transparency_is_tr, .illumination = material.illumination},
+                                          [&](const std::string& note) { notes += note.empty() ? 0 : 1; });
       require(use || notes > 0, "a map is used, or a note says why not");
       if (use) {
         require(lustro::is_finite(use->use.gain) && lustro::is_finite(use->use.base), "a map's numbers are finite");
