@@ -8,6 +8,7 @@
 #include <set>
 
 #include "report.hpp"
+#include "scene/add_note.hpp"
 #include "scene/text_values.hpp"
 #include "scene/words.hpp"
 #include "texture/slots.hpp"
@@ -196,9 +197,7 @@ std::string note_rows(const char* name, const Notes& notes) {
 Notes all_notes(const MeshReport& report) {
   Notes notes = report.source->notes;
   for (const Note& note : report.built->notes) {
-    if (std::find(notes.begin(), notes.end(), note) == notes.end()) {
-      notes.push_back(note);
-    }
+    add_note(notes, note);
   }
   return notes;
 }

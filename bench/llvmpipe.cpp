@@ -47,10 +47,6 @@ void main() {{
                      two_sided ? "if (!gl_FrontFacing) n = -n;" : "");
 }
 
-Vec3d times(const Vec3d& a, const Vec3d& b) {
-  return {a.x * b.x, a.y * b.y, a.z * b.z};
-}
-
 enum class Shaders { mirror, plain };
 
 /// llvmpipe's side: the mesh lies in buffers, a frame sets what turns, clears, draws and finishes.
@@ -97,7 +93,7 @@ class PeerFrames {
     peers::set_scene(uniforms, scene_, camera_);
     peers::set_material(uniforms, *scene_.objects.front().material, Transfer::none);
     if (shaders == Shaders::plain) {
-      set_plain(uniforms);
+      set_plain_scene(uniforms, scene_, camera_);
     }
     eye_from_object_ = glGetUniformLocation(program_, "eye_from_object");
   }
@@ -126,23 +122,6 @@ class PeerFrames {
   [[nodiscard]] ByteImage picture() const { return picture_of(bytes_, width_, height_); }
 
  private:
-  void set_plain(const peers::Uniforms& uniforms) const {
-    const auto light_of = [](const Color& c) { return truth::light_of(c, Transfer::none); };
-    const Material& material = *scene_.objects.front().material;
-    Vec3d color = times(light_of(material.ambient), light_of(scene_.ambient)) + light_of(material.emission);
-    for (std::size_t i = 0; i < scene_.lights->size(); ++i) {
-      const Light& light = (*scene_.lights)[i];
-      const std::string at = fmt::format("[{}]", i);
-      color = color + times(light_of(material.ambient), light_of(light.ambient));
-      uniforms.set("places" + at, light.type == LightType::directional ? peers::turn(camera_.eye_from_world, light.direction) * -1.0
-                                                                       : transform_point(camera_.eye_from_world, light.position));
-      uniforms.set("diffuses" + at, times(light_of(material.diffuse), light_of(light.diffuse)));
-      uniforms.set("speculars" + at, times(light_of(material.specular), light_of(light.specular)));
-    }
-    uniforms.set("scene_color", color);
-    uniforms.set("shininess", static_cast<double>(material.shininess));
-  }
-
   const Subject& subject_;
   Scene scene_;
   peers::GlContext context_;

@@ -70,10 +70,6 @@ void main() {
 }
 )";
 
-Vec3d times(const Vec3d& a, const Vec3d& b) {
-  return {a.x * b.x, a.y * b.y, a.z * b.z};
-}
-
 /// llvmpipe's side: the mesh and the maps lie in its memory, a frame sets what turns, clears, draws, finishes and reads.
 class PeerFrames {
  public:
@@ -98,7 +94,9 @@ class PeerFrames {
     bind(maps.diffuse, 0, "diffuse_map");
     bind(maps.specular, 1, "specular_map");
     bind(maps.normal, 2, "normal_map");
-    set_scene(scene);
+    const peers::Uniforms uniforms(program_);
+    peers::set_scene(uniforms, scene, camera_);
+    set_plain_scene(uniforms, scene, camera_);
     eye_from_object_ = glGetUniformLocation(program_, "eye_from_object");
   }
 
@@ -135,23 +133,6 @@ class PeerFrames {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     peers::Uniforms(program_).set(name, unit);
   }
-  void set_scene(const Scene& scene) const {
-    const peers::Uniforms uniforms(program_);
-    const auto light_of = [](const Color& c) { return truth::light_of(c, Transfer::none); };
-    const Material& material = *scene.objects.front().material;
-    peers::set_scene(uniforms, scene, camera_);
-    for (std::size_t i = 0; i < scene.lights->size(); ++i) {
-      const Light& light = (*scene.lights)[i];
-      const std::string at = fmt::format("[{}]", i);
-      uniforms.set("places" + at, light.type == LightType::directional ? peers::turn(camera_.eye_from_world, light.direction) * -1.0
-                                                                       : transform_point(camera_.eye_from_world, light.position));
-      uniforms.set("diffuses" + at, times(light_of(material.diffuse), light_of(light.diffuse)));
-      uniforms.set("speculars" + at, times(light_of(material.specular), light_of(light.specular)));
-    }
-    uniforms.set("scene_color", times(light_of(material.ambient), light_of(scene.ambient)) + light_of(material.emission));
-    uniforms.set("shininess", static_cast<double>(material.shininess));
-  }
-
   const Subject& subject_;
   peers::GlContext context_;
   peers::GlCamera camera_;

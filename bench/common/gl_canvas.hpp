@@ -81,4 +81,23 @@ inline ByteImage picture_of(const std::vector<std::uint8_t>& bytes, int width, i
   return image;
 }
 
+/// The uniforms of shaders that know the common scene's lights: what no light brings, and each light's place and products with the material.
+inline void set_plain_scene(const peers::Uniforms& uniforms, const Scene& scene, const peers::GlCamera& camera) {
+  const auto light_of = [](const Color& c) { return truth::light_of(c, Transfer::none); };
+  const auto times = [](const Vec3d& a, const Vec3d& b) { return Vec3d{a.x * b.x, a.y * b.y, a.z * b.z}; };
+  const Material& material = *scene.objects.front().material;
+  Vec3d color = times(light_of(material.ambient), light_of(scene.ambient)) + light_of(material.emission);
+  for (std::size_t i = 0; i < scene.lights->size(); ++i) {
+    const Light& light = (*scene.lights)[i];
+    const std::string at = fmt::format("[{}]", i);
+    color = color + times(light_of(material.ambient), light_of(light.ambient));
+    uniforms.set("places" + at, light.type == LightType::directional ? peers::turn(camera.eye_from_world, light.direction) * -1.0
+                                                                     : transform_point(camera.eye_from_world, light.position));
+    uniforms.set("diffuses" + at, times(light_of(material.diffuse), light_of(light.diffuse)));
+    uniforms.set("speculars" + at, times(light_of(material.specular), light_of(light.specular)));
+  }
+  uniforms.set("scene_color", color);
+  uniforms.set("shininess", static_cast<double>(material.shininess));
+}
+
 }  // namespace lustro::bench

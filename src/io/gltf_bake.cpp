@@ -110,6 +110,10 @@ void apply_texel(GltfSurface& surface, GltfRole role, const std::array<double, 4
   }
 }
 
+std::array<double, 3> color_of(const ClassicSurface& classic, GltfTarget target) {
+  return target == GltfTarget::ambient ? classic.ambient : target == GltfTarget::diffuse ? classic.diffuse : classic.specular;
+}
+
 std::uint64_t texels_of(const GltfBake& bake) {
   const Texture& largest = largest_of(bake);
   return static_cast<std::uint64_t>(largest.width()) * static_cast<std::uint64_t>(largest.height());
@@ -138,9 +142,7 @@ Result<std::shared_ptr<const Texture>> bake_gltf(const GltfBake& bake, int threa
           *to++ = static_cast<float>(classic.shininess / bake.shininess_unit);
           continue;
         }
-        const std::array<double, 3>& rgb = bake.target == GltfTarget::ambient   ? classic.ambient
-                                           : bake.target == GltfTarget::diffuse ? classic.diffuse
-                                                                                : classic.specular;
+        const std::array<double, 3> rgb = color_of(classic, bake.target);
         to = std::transform(rgb.begin(), rgb.end(), to, [](double value) { return static_cast<float>(value); });
       }
     });

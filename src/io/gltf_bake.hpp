@@ -19,6 +19,9 @@ enum class GltfTarget : std::uint8_t { ambient, diffuse, specular, shininess };
 /// A texel's word on a surface: factors are multiplied, occlusion counts by its strength.
 void apply_texel(GltfSurface& surface, GltfRole role, const std::array<double, 4>& rgba, double occlusion_strength);
 
+/// The coefficient of a target that is a colour.
+[[nodiscard]] std::array<double, 3> color_of(const ClassicSurface& classic, GltfTarget target);
+
 struct GltfBake {
   GltfTarget target = GltfTarget::diffuse;
   GltfSurface factors;

@@ -11,6 +11,7 @@
 #include "io/gltf_pictures.hpp"
 #include "io/map_texture.hpp"
 #include "parallel/parallel_for.hpp"
+#include "scene/add_note.hpp"
 
 namespace lustro {
 namespace {
@@ -52,12 +53,6 @@ constexpr std::size_t at(GltfRole role) {
   return static_cast<std::size_t>(role);
 }
 
-void add_note(Notes& notes, Note note) {
-  if (std::find(notes.begin(), notes.end(), note) == notes.end()) {
-    notes.push_back(std::move(note));
-  }
-}
-
 /// Whether a material that is drawn as it is looks at the slot.
 bool is_used(const GltfMaterial& material, const Slot& slot) {
   return (material.*slot.use).has_value() && (!material.is_unlit || slot.use == kBase.use) &&
@@ -86,9 +81,8 @@ void read_pictures(const GltfFile& file, std::span<const GltfMaterial> materials
       }
     }
   }
-  const bool is_one = jobs.size() == 1;
-  parallel_for(jobs.size(), is_one ? 1 : options.threads,
-               [&](std::size_t i) { *jobs[i].second = read_gltf_picture(file, *jobs[i].first, is_one ? options.threads : 1); });
+  parallel_jobs(jobs.size(), options.threads,
+                [&](std::size_t i, int threads) { *jobs[i].second = read_gltf_picture(file, *jobs[i].first, threads); });
 }
 
 /// A picture that is made, and where it goes.
@@ -265,10 +259,6 @@ class Maker {
     apply_texel(surface, role, {widened(t[0]), widened(t[1]), widened(t[2]), widened(t[3])}, strength_);
   }
 
-  static std::array<double, 3> color_of(const ClassicSurface& classic, GltfTarget target) {
-    return target == GltfTarget::ambient ? classic.ambient : target == GltfTarget::diffuse ? classic.diffuse : classic.specular;
-  }
-
   void set_color(GltfTarget target, const std::array<double, 3>& rgb) {
     Color& to = target == GltfTarget::ambient ? material_.ambient : target == GltfTarget::diffuse ? material_.diffuse : material_.specular;
     to = {{static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])}, ColorSpace::linear};
@@ -429,9 +419,8 @@ Result<void> bake_all(Workshop& shop) {
     jobs.emplace_back(&shop.cache.baked[key], &bake);
   }
   std::vector<std::optional<Error>> errors(jobs.size());
-  const bool is_one = jobs.size() == 1;
-  parallel_for(jobs.size(), is_one ? 1 : shop.options.threads, [&](std::size_t i) {
-    Result<std::shared_ptr<const Texture>> made = bake_gltf(*jobs[i].second, is_one ? shop.options.threads : 1);
+  parallel_jobs(jobs.size(), shop.options.threads, [&](std::size_t i, int threads) {
+    Result<std::shared_ptr<const Texture>> made = bake_gltf(*jobs[i].second, threads);
     if (made) {
       *jobs[i].first = *std::move(made);
     } else {

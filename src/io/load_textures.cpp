@@ -90,6 +90,26 @@ Result<TextureFile> read_texture(const TextureCache::Key& key, int threads) {
   return file;
 }
 
+/// A request for a file of that name; what is not there is a note, or an error with `strict`.
+Result<void> add_request(Request request, const fs::path& folder, const std::string& name, const LoadOptions& options, BookShelf& books,
+                         std::vector<Request>& requests) {
+  const Result<FoundFile> found = find_texture(folder, name);
+  if (!found) {
+    const std::string message = fmt::format("{}: the texture {}", request.statement, found.error().message);
+    if (options.strict) {
+      return fail(found.error().kind, request.where, message);
+    }
+    books.add(request.where, message + "; drawn without it");
+    return {};
+  }
+  if (!found->note.empty()) {
+    books.add(request.where, fmt::format("{}: the texture {}", request.statement, found->note));
+  }
+  request.key = {identity_of(found->path), request.map.slot->content, options.transfer, request.map.alpha_of_decal};
+  requests.push_back(std::move(request));
+  return {};
+}
+
 /// Reads what the cache does not have, several files at the same time.
 void read_files(const std::vector<Request>& requests, int threads, TextureCache& cache) {
   std::vector<std::pair<const TextureCache::Key*, TextureFile*>> jobs;
@@ -99,11 +119,10 @@ void read_files(const std::vector<Request>& requests, int threads, TextureCache&
       jobs.emplace_back(&entry->first, &entry->second);
     }
   }
-  const bool is_one = jobs.size() == 1;
-  parallel_for(jobs.size(), is_one ? 1 : threads, [&](std::size_t i) {
+  parallel_jobs(jobs.size(), threads, [&](std::size_t i, int own_threads) {
     const auto& [key, file] = jobs[i];
     try {
-      auto read = read_texture(*key, is_one ? threads : 1);
+      auto read = read_texture(*key, own_threads);
       if (read) {
         *file = *std::move(read);
       } else {
@@ -225,20 +244,10 @@ Result<Notes> load_map_textures(std::span<Material> materials, const fs::path& f
         continue;
       }
       const fs::path library_folder = map.library.empty() ? folder : find_beside(folder, map.library).parent_path();
-      auto found = find_texture(library_folder, map.file);
-      if (!found) {
-        if (options.strict) {
-          return fail(found.error().kind, map.library, fmt::format("{}: the texture {}", map.statement, found.error().message));
-        }
-        books.add(map.library, fmt::format("{}: the texture {}; drawn without it", map.statement, found.error().message));
-        continue;
-      }
-      if (!found->note.empty()) {
-        books.add(map.library, fmt::format("{}: the texture {}", map.statement, found->note));
-      }
       Request request{&material, *std::move(use), map.library, map.statement};
-      request.key = {identity_of(found->path), request.map.slot->content, options.transfer, request.map.alpha_of_decal};
-      requests.push_back(std::move(request));
+      if (auto added = add_request(std::move(request), library_folder, map.file, options, books, requests); !added) {
+        return tl::unexpected(std::move(added).error());
+      }
     }
   }
   // a bump map that turns out to hold normals gives way to a stated normal map, wherever that stands
@@ -252,23 +261,10 @@ Result<Notes> load_stated_textures(Material& material, const std::string& where,
   std::vector<Request> requests;
   const StatedTextures& stated = material.stated_textures;
   const auto ask = [&](const StatedTexture& texture, const TextureSlot& slot, std::string key, std::size_t face = 0) -> Result<void> {
-    auto found = find_texture(folder, texture.file);
-    if (!found) {
-      if (options.strict) {
-        return fail(found.error().kind, where, fmt::format("{}: the texture {}", key, found.error().message));
-      }
-      books.add(where, fmt::format("{}: the texture {}; drawn without it", key, found.error().message));
-      return {};
-    }
-    if (!found->note.empty()) {
-      books.add(where, fmt::format("{}: the texture {}", key, found->note));
-    }
     Request request{&material, use_of_stated(texture, slot, options.transfer), where, std::move(key)};
     request.map.shape = &slot == &kReflectionSlot ? stated.reflection->shape : ReflectionShape{};
     request.map.face = face;
-    request.key = {identity_of(found->path), slot.content, options.transfer, '\0'};
-    requests.push_back(std::move(request));
-    return {};
+    return add_request(std::move(request), folder, texture.file, options, books, requests);
   };
   material.textures.normal_is_object_space = material.textures.normal_is_object_space || stated.object_space;
   for (const TextureSlot& slot : kTextureSlots) {

@@ -115,4 +115,9 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
   run_on_threads(count, threads, body);
 }
 
+void parallel_jobs(std::size_t count, int threads, const std::function<void(std::size_t, int)>& job) {
+  const bool is_one = count == 1;
+  parallel_for(count, is_one ? 1 : threads, [&](std::size_t i) { job(i, is_one ? threads : 1); });
+}
+
 }  // namespace lustro

@@ -10,6 +10,9 @@ namespace lustro {
 /// that another one writes.
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
 
+/// The same of jobs that have loops of their own: job(i, its threads). A single job has all threads, of several each has one.
+void parallel_jobs(std::size_t count, int threads, const std::function<void(std::size_t, int)>& job);
+
 /// How many threads parallel_for() uses: `threads`, or one a core where it is 0.
 [[nodiscard]] std::size_t thread_count(int threads);
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/add_note.hpp"
+
 namespace lustro {
 namespace {
 
@@ -16,13 +18,6 @@ constexpr std::array kRows{
     MapRow{MapKind::bump, texture_slot("bump")},           MapRow{MapKind::normal, texture_slot("normal")},
 };
 static_assert(kRows.size() == kMapKinds);
-
-// Each note once, however many objects share the material.
-void add_note(Notes& notes, Note note) {
-  if (std::find(notes.begin(), notes.end(), note) == notes.end()) {
-    notes.push_back(std::move(note));
-  }
-}
 
 // What only the equation at the pixel itself can use.
 bool is_of_the_pixel(MapKind kind) {

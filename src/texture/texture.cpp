@@ -76,35 +76,33 @@ void read_row(const Image& pixels, std::int32_t y, Rgba* to) {
   }
 }
 
-// Whether every value is one of 0..1. In blocks: a loop that may end anywhere is no loop of vectors.
-bool is_all_unit(const std::vector<float>& values) {
-  constexpr std::size_t kBlock = 4096;
-  for (std::size_t begin = 0; begin < values.size(); begin += kBlock) {
-    int outside = 0;
-    for (std::size_t i = begin; i < std::min(begin + kBlock, values.size()); ++i) {
-      outside |= static_cast<int>(!(values[i] >= 0.0F)) | static_cast<int>(!(values[i] <= 1.0F));
-    }
-    if (outside != 0) {
-      return false;
-    }
-  }
-  return true;
-}
-
-// Whether every value, of 0..1, is a whole 255th, up to what writing it as a float rounds.
-bool is_all_whole(const std::vector<float>& values) {
+// Whether no value is broken. In blocks: a loop that may end anywhere is no loop of vectors.
+template <class IsBroken>
+bool has_none(const std::vector<float>& values, const IsBroken& is_broken) {
   constexpr std::size_t kBlock = 4096;
   for (std::size_t begin = 0; begin < values.size(); begin += kBlock) {
     int broken = 0;
     for (std::size_t i = begin; i < std::min(begin + kBlock, values.size()); ++i) {
-      const float scaled = values[i] * 255;
-      broken |= static_cast<int>(std::abs(scaled - static_cast<float>(static_cast<std::int32_t>(scaled + 0.5F))) > 1e-4F);
+      broken |= is_broken(values[i]);
     }
     if (broken != 0) {
       return false;
     }
   }
   return true;
+}
+
+// Whether every value is one of 0..1.
+bool is_all_unit(const std::vector<float>& values) {
+  return has_none(values, [](float x) { return static_cast<int>(!(x >= 0.0F)) | static_cast<int>(!(x <= 1.0F)); });
+}
+
+// Whether every value, of 0..1, is a whole 255th, up to what writing it as a float rounds.
+bool is_all_whole(const std::vector<float>& values) {
+  return has_none(values, [](float x) {
+    const float scaled = x * 255;
+    return static_cast<int>(std::abs(scaled - static_cast<float>(static_cast<std::int32_t>(scaled + 0.5F))) > 1e-4F);
+  });
 }
 
 // The smallest format that does for the picture: see texture.hpp.

@@ -4,23 +4,10 @@
 
 #include "math/trig.hpp"
 #include "reference/scenes.hpp"
+#include "shade/direction_picture.hpp"
 
 namespace lustro {
 namespace {
-
-std::shared_ptr<const Texture> picture(int width, int height, const auto& direction) {
-  Image image(width, height, 3);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const Vec3d d = normalize(direction((x + 0.5) / width, (y + 0.5) / height));
-      const auto pixel = image.at(x, y);
-      pixel[0] = static_cast<float>(d.x * 0.5 + 0.5);
-      pixel[1] = static_cast<float>(d.y * 0.5 + 0.5);
-      pixel[2] = static_cast<float>(d.z * 0.5 + 0.5);
-    }
-  }
-  return *make_texture(image, 1);
-}
 
 // Colours are (d + 1) / 2. Looked up without mip levels, which average over a pixel's footprint.
 ReflectionMap directions(ReflectionShape shape) {

@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "shade/direction_picture.hpp"
 #include "texture/texture.hpp"
 
 namespace lustro {
@@ -188,21 +189,6 @@ TEST(Reflection, TheMirroredViewAndItsSlopesAreThoseOfTheFormula) {
     EXPECT_LT(length(slope_error), 1e-5);
     EXPECT_EQ(length(r.dy), 0);
   }
-}
-
-// A surrounding whose colour is its own direction, as (d + 1) / 2.
-std::shared_ptr<const Texture> picture(int width, int height, const auto& direction) {
-  Image image(width, height, 3);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const Vec3d d = normalize(direction((x + 0.5) / width, (y + 0.5) / height));
-      const auto pixel = image.at(x, y);
-      pixel[0] = static_cast<float>(d.x * 0.5 + 0.5);
-      pixel[1] = static_cast<float>(d.y * 0.5 + 0.5);
-      pixel[2] = static_cast<float>(d.z * 0.5 + 0.5);
-    }
-  }
-  return *make_texture(image, 1);
 }
 
 ShadingMap map_of(const Texture& texture) {
