@@ -49,10 +49,19 @@ struct Layer {
   std::vector<std::string> labels;  ///< for ids: the name of object or material i
 };
 
+/// The key `tone`: how a linear picture becomes one that can be stored. Floats are never toned: Rendering::color, EXR and PFM files are linear.
+struct Tone {
+  ToneOperator curve = ToneOperator::none;  ///< the key `operator`
+  float exposure = 0;                       ///< stops: everything is first multiplied by 2^exposure; -100..100
+
+  friend bool operator==(const Tone&, const Tone&) = default;
+};
+
 /// The colour picture (linear, alpha premultiplied) as it is written.
 struct WriteOptions {
   int bits = 8;  ///< PNG: 8 or 16
   Transfer transfer = Transfer::srgb;
+  Tone tone{};  ///< of pictures of floats that are stored as integers
   /// Of PNG: 0 (none) to 12 (small and slow), as libdeflate counts them. None: 8 bits by a packer of our own, which takes a few milliseconds a
   /// megapixel and makes files of about the size of libdeflate's level 6 on rendered pictures; 16 bits at level 6.
   std::optional<int> png_level{};
@@ -67,8 +76,8 @@ struct ByteImage {
   std::vector<std::uint8_t> pixels;
 };
 
-/// Stored bytes of a linear, premultiplied RGBA (or RGB, or one-channel) image: unpremultiplied, encoded, round(255 clamp(x, 0, 1)).
-[[nodiscard]] ByteImage to_bytes(const Image& image, Transfer transfer);
+/// Stored bytes of a linear, premultiplied RGBA (or RGB, or one-channel) image: unpremultiplied, toned, encoded, round(255 clamp(x, 0, 1)).
+[[nodiscard]] ByteImage to_bytes(const Image& image, Transfer transfer, const Tone& tone = {});
 
 /// Writes an image by its extension: .png (8 or 16 bit), .exr or .pfm (float, linear). Under a temporary name in the same folder, then renamed:
 /// an existing file is replaced whole or not at all. Equal pixels give equal bytes. An alpha that is stored as 1 everywhere is left out of a

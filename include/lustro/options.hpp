@@ -68,6 +68,15 @@ enum class LightType : std::uint8_t { directional, point, spot };
 
 enum class FogMode : std::uint8_t { linear, exp, exp2 };
 
+/// What brings a linear picture into the range that a byte can store, after the exposure and before the transfer (image/tone.hpp has the
+/// formulas).
+enum class ToneOperator : std::uint8_t {
+  none,      ///< nothing: what is brighter than 1 is stored as 1
+  reinhard,  ///< by the luminance L / (1 + L), Reinhard et al. 2002, equation 3
+  aces,      ///< the fit of ACES' reference and output transforms by Stephen Hill
+  agx,       ///< Troy Sobotka's AgX, as Benjamin Wrensch approximates it by a polynomial
+};
+
 enum class ColorSpace : std::uint8_t {
   linear,   ///< light itself
   encoded,  ///< sRGB when the transfer is `srgb` (8-bit colours, MTL, library materials); as it stands when it is `none`

@@ -89,6 +89,7 @@ struct RenderStats {
 /// the tiles, divided between them as the threads' own time was.
 struct RenderTimes {
   double prepare = 0;     ///< camera, matrices, lights; clusters of meshes that are new to the renderer
+  double shadows = 0;     ///< maps of depths, of shadows and of occlusion
   double cull = 0;        ///< clusters against the picture, and their tiles
   double visibility = 0;  ///< vertices, triangles, depth
   double shading = 0;     ///< light, samples to pixels, pixels to bytes
@@ -97,7 +98,7 @@ struct RenderTimes {
 
 struct Rendering {
   Image color;                ///< H x W x 4, linear light (or as it stands with transfer `none`), alpha premultiplied
-  ByteImage bytes;            ///< H x W x 4: what to_bytes(color) gives with the scene's transfer
+  ByteImage bytes;            ///< H x W x 4: what to_bytes(color) gives with the scene's transfer and tone
   std::vector<Layer> layers;  ///< one an AOV, in the order asked for (`light:*` unfolds)
   RenderStats stats;
   RenderTimes times;
@@ -138,6 +139,7 @@ struct LightExplanation {
   float distance = 0;
   float n_dot_l = 0, r_dot_v = 0, n_dot_h = 0;
   float attenuation = 1, spot = 1;  ///< f_i, s_i
+  float visibility = 1;             ///< v_i: the share of the light that is not in shadow here
   Vec3f ambient, diffuse, specular;
 };
 
@@ -149,6 +151,7 @@ struct ShadingExplanation {
   Vec3f to_eye;                                ///< V, unit
   Vec3f ambient, diffuse, specular, emission;  ///< sums over the lights (clamped at the vertex for `gouraud`)
   Vec3f scene_ambient;                         ///< k_a I_a, part of ambient
+  float openness = 1;                          ///< the share of the ambient light that `occlusion` lets through; k_a is multiplied by it
   std::vector<LightExplanation> lights;
 };
 

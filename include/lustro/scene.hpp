@@ -11,12 +11,33 @@
 #include <variant>
 #include <vector>
 
+#include "lustro/image.hpp"
 #include "lustro/material.hpp"
 #include "lustro/mesh.hpp"
 #include "lustro/options.hpp"
 #include "lustro/result.hpp"
 
 namespace lustro {
+
+/// The key `shadow`: light that does not arrive where something stands before it, for directional, point and spot lights. Each light sees the
+/// scene as a map of depths (Williams 1978).
+struct ShadowSettings {
+  int size = 2048;   ///< texels a side of a light's map, 16..8192; of a point light's six maps half as many
+  int softness = 0;  ///< texels by which an edge is blurred on either side, 0..16
+};
+
+/// The key `occlusion`: the ambient light of a place is dimmed by what stands around it.
+struct OcclusionSettings {
+  int samples = 64;     ///< directions that are looked into, 8..1024
+  double strength = 1;  ///< how much of the dimming is kept, 0..1
+  int size = 512;       ///< texels a side of a direction's map of depths, 16..8192
+};
+
+/// The key `ground`: a level floor under the scene that shows nothing but the shadows on it.
+struct Ground {
+  std::optional<double> height{};  ///< y, world; nothing: the lowest point of the scene
+  double strength = 1;             ///< how dark its darkest shadows are, 0..1
+};
 
 /// The key `image`.
 struct ImageSettings {
@@ -27,6 +48,7 @@ struct ImageSettings {
   Color background{{0.1F, 0.1F, 0.12F}};
   float background_alpha = 1;
   bool transparent = false;  ///< the background has alpha 0
+  Tone tone{};               ///< of the bytes that are stored
 };
 
 /// The key `camera`. Right-handed, y up on the image. What is not stated frames the whole scene.
@@ -78,6 +100,7 @@ struct Light {
   std::optional<double> beam{};  ///< half angle, degrees, smaller than cutoff
   SpotFade fade = SpotFade::smoothstep;
   double exponent = 0;  ///< 0..10000
+  bool shadow = true;   ///< where the scene has shadows: this light throws some
 };
 
 /// The key `fog`, on the Euclidean distance from the eye to the point.
@@ -105,6 +128,9 @@ struct Scene {
   Color ambient{{0.2F, 0.2F, 0.2F}};           ///< I_a
   std::optional<std::vector<Light>> lights{};  ///< nothing: a default rig that moves with the camera; empty: no light
   std::optional<Fog> fog{};
+  std::optional<ShadowSettings> shadow{};        ///< nothing: every light reaches every surface that faces it
+  std::optional<OcclusionSettings> occlusion{};  ///< nothing: the ambient light is the same everywhere
+  std::optional<Ground> ground{};                ///< nothing: no floor
   std::vector<Object> objects{};
 };
 
