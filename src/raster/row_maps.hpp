@@ -97,10 +97,26 @@ inline HWY_NOINLINE void find_places(const ShadingMap& map, std::size_t count, M
   }
 }
 
+/// Asks for the texels of all maps from `first` on that find them at the places at hand, before any of them waits. Fragments beside each other
+/// share lines of the cache: of each level's rows every kCallStep-th one's are asked for.
+HWY_INLINE void call_texels(const ShadingMaps& maps, std::size_t first, std::size_t count, const MapStrip& s) {
+  constexpr std::size_t kCallStep = 4;
+  for (std::size_t kind = first; kind < kMapKinds; ++kind) {
+    if ((maps.present >> kind & 1U) == 0 || !are_alike(maps.maps[first], maps.maps[kind])) {
+      continue;
+    }
+    for (std::size_t i = 0; i < count; i += kCallStep) {
+      for (const MapStrip::IntRow& row : s.texels) {
+        call_texel(maps.maps[kind].texels, row[i]);
+      }
+    }
+  }
+}
+
 /// The map's values at the places that find_places() found.
-template <bool kHasAlpha>
-HWY_NOINLINE void read_map(const ShadingMap& map, std::size_t count, MapStrip& s) {
-  const LaneFetch fetch(map.texels);
+template <class Fetch, bool kHasAlpha>
+HWY_NOINLINE void read_map_by(const ShadingMap& map, std::size_t count, MapStrip& s) {
+  const Fetch fetch(map.texels);
   const Float scale(fetch.scale());
   for (std::size_t i = 0; i < count; i += kLanes) {
     Texel<Float> texel = fetch_places(map.sampler, fetch, s.places_at(i));
@@ -114,6 +130,14 @@ HWY_NOINLINE void read_map(const ShadingMap& map, std::size_t count, MapStrip& s
     if constexpr (kHasAlpha) {
       store(&s.value[3][i], value.alpha);
     }
+  }
+}
+
+inline void read_map(const ShadingMap& map, bool has_alpha, std::size_t count, MapStrip& s) {
+  if (map.texels.bytes != nullptr) {
+    has_alpha ? read_map_by<ByteFetch, true>(map, count, s) : read_map_by<ByteFetch, false>(map, count, s);
+  } else {
+    has_alpha ? read_map_by<LaneFetch, true>(map, count, s) : read_map_by<LaneFetch, false>(map, count, s);
   }
 }
 
@@ -131,13 +155,14 @@ inline void each_map(const ShadingMaps& maps, std::size_t count, MapStrip& s, Ta
     const bool is_placed = placed != nullptr && are_alike(*placed, map) && (!map.leaves_outside || placed->leaves_outside);
     if (!is_placed) {
       find_places(map, count, s);
+      call_texels(maps, kind, count, s);
       placed = &map;
     }
     const bool is_read = is_placed && read != nullptr && !has_alpha && read->texels.bytes == map.texels.bytes &&
                          read->texels.unorms == map.texels.unorms && read->texels.floats == map.texels.floats && read->gain == map.gain &&
                          read->base == map.base && are_equal(read->sampler.border, map.sampler.border);
     if (!is_read) {
-      has_alpha ? read_map<true>(map, count, s) : read_map<false>(map, count, s);
+      read_map(map, has_alpha, count, s);
       read = &map;
     }
     take(static_cast<MapKind>(kind), map);

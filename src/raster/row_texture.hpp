@@ -9,7 +9,36 @@
 // NOLINTBEGIN(cppcoreguidelines-pro-type-member-init)
 namespace lustro::HWY_NAMESPACE {
 
-/// Reads the texels of kLanes places: the pair of a row by 16 bytes a lane.
+/// Reads the texels of kLanes places of a texture of bytes.
+class ByteFetch {
+ public:
+  HWY_INLINE explicit ByteFetch(const TextureLayout& layout) : layout_(layout) {}
+
+  /// A quad in one block a lane: the upper pair and the lower one.
+  [[nodiscard]] HWY_INLINE Texel<Float> quad(const TexelQuad<Float>& quad) const {
+    alignas(64) std::array<std::int32_t, kLanes> upper, lower;
+    store(upper.data(), quad.upper);
+    store(lower.data(), quad.lower);
+    const auto texel = [&](std::int32_t place) {
+      return reinterpret_cast<const std::int32_t*>(layout_.bytes + std::size_t{4} * static_cast<std::size_t>(place));
+    };
+    hn::Vec<IntTag> words[4];
+    load_pairs([&](std::size_t i) { return texel(upper[i]); }, [&](std::size_t i) { return texel(lower[i]); }, words);
+    Texel<Float> result;
+    for (std::size_t c = 0; c < 4; ++c) {
+      const auto channel = [&](std::size_t w) { return to_float((Int(words[w]) >> static_cast<int>(8 * c)) & Int(0xFF)); };
+      result[c] = blend_quad(channel(0), channel(1), channel(2), channel(3), quad.across, quad.down);
+    }
+    return result;
+  }
+  [[nodiscard]] HWY_INLINE float unit() const { return layout_.unit; }
+  [[nodiscard]] HWY_INLINE float scale() const { return layout_.scale; }
+
+ private:
+  TextureLayout layout_;
+};
+
+/// Reads the texels of kLanes places, of whatever numbers: the pair of a row by 16 bytes a lane.
 class LaneFetch {
  public:
   HWY_INLINE explicit LaneFetch(const TextureLayout& layout) : layout_(layout) {}
@@ -27,6 +56,9 @@ class LaneFetch {
     return {Int(words[0]), Int(words[1]), Int(words[2]), Int(words[3])};
   }
   [[nodiscard]] HWY_INLINE Texel<Float> quad(const TexelQuad<Float>& quad) const {
+    if (layout_.bytes != nullptr) {
+      return ByteFetch(layout_).quad(quad);
+    }
     const Pair upper = pair_at(quad.upper);
     const Pair lower = pair_at(quad.lower);
     Texel<Float> result;
@@ -48,14 +80,6 @@ class LaneFetch {
     store(places.data(), place);
     hn::Vec<IntTag> words[4];
     Pair pair;
-    if (layout_.bytes != nullptr) {  // 16 bytes, of which 8 count
-      load_quads([&](std::size_t i) { return reinterpret_cast<const std::int32_t*>(layout_.bytes + std::size_t{4} * number(places[i])); },
-                 words);
-      const auto channel = [&](std::size_t w, int shift) { return to_float((Int(words[w]) >> shift) & Int(0xFF)); };
-      pair.left = {channel(0, 0), channel(0, 8), channel(0, 16), channel(0, 24)};
-      pair.right = {channel(1, 0), channel(1, 8), channel(1, 16), channel(1, 24)};
-      return pair;
-    }
     if (HWY_LIKELY(layout_.unorms != nullptr)) {
       load_quads([&](std::size_t i) { return reinterpret_cast<const std::int32_t*>(layout_.unorms + std::size_t{4} * number(places[i])); },
                  words);
@@ -79,6 +103,18 @@ class LaneFetch {
 
   TextureLayout layout_;
 };
+
+/// Has a texel come nearer; its value is not waited for.
+HWY_INLINE void call_texel(const TextureLayout& layout, std::int32_t place) {
+  const std::size_t i = std::size_t{4} * static_cast<std::size_t>(place);
+  const void* texel = layout.floats + i;
+  if (layout.bytes != nullptr) {
+    texel = layout.bytes + i;
+  } else if (layout.unorms != nullptr) {
+    texel = layout.unorms + i;
+  }
+  __builtin_prefetch(texel);
+}
 
 }  // namespace lustro::HWY_NAMESPACE
 // NOLINTEND(cppcoreguidelines-pro-type-member-init)

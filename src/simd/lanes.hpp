@@ -152,6 +152,33 @@ HWY_INLINE hn::Vec<Tag> load_blocks(Tag tag, At&& at, std::size_t lane) {
     return hn::Combine(tag, load_blocks(half, at, lane + hn::MaxLanes(Tag()) / 2), load_blocks(half, at, lane));
   }
 }
+
+/// The same of eight bytes and eight bytes.
+template <class Tag, class First, class Second>
+HWY_INLINE hn::Vec<Tag> load_blocks(Tag tag, First&& first, Second&& second, std::size_t lane) {
+  const hn::Half<Tag> half;
+  if constexpr (hn::MaxLanes(Tag()) == 4) {
+    return hn::Combine(tag, hn::LoadU(half, second(lane)), hn::LoadU(half, first(lane)));
+  } else {
+    return hn::Combine(tag, load_blocks(half, first, second, lane + hn::MaxLanes(Tag()) / 2), load_blocks(half, first, second, lane));
+  }
+}
+#endif
+
+#if HWY_TARGET != HWY_SCALAR
+/// kLanes blocks of four words, every fourth lane's in a row of its own, transposed: words[w] holds word w of all of them.
+HWY_INLINE void transpose_blocks(hn::Vec<IntTag> row0, hn::Vec<IntTag> row1, hn::Vec<IntTag> row2, hn::Vec<IntTag> row3,
+                                 hn::Vec<IntTag>* words) {
+  const hn::Repartition<std::int64_t, IntTag> halves;
+  const auto low01 = hn::BitCast(halves, hn::InterleaveLower(kInts, row0, row1));
+  const auto low23 = hn::BitCast(halves, hn::InterleaveLower(kInts, row2, row3));
+  const auto high01 = hn::BitCast(halves, hn::InterleaveUpper(kInts, row0, row1));
+  const auto high23 = hn::BitCast(halves, hn::InterleaveUpper(kInts, row2, row3));
+  words[0] = hn::BitCast(kInts, hn::InterleaveLower(halves, low01, low23));
+  words[1] = hn::BitCast(kInts, hn::InterleaveUpper(halves, low01, low23));
+  words[2] = hn::BitCast(kInts, hn::InterleaveLower(halves, high01, high23));
+  words[3] = hn::BitCast(kInts, hn::InterleaveUpper(halves, high01, high23));
+}
 #endif
 
 /// Four words of kLanes structures, transposed: words[w] holds word w of all of them. at(i) is where those of lane i begin. Loads of 16 bytes
@@ -163,17 +190,21 @@ HWY_INLINE void load_quads(At&& at, hn::Vec<IntTag>* words) {
     words[w] = Int(at(std::size_t{0})[w]).v;
   }
 #else
-  const auto row0 = load_blocks(kInts, at, 0), row1 = load_blocks(kInts, at, 1);
-  const auto row2 = load_blocks(kInts, at, 2), row3 = load_blocks(kInts, at, 3);
-  const hn::Repartition<std::int64_t, IntTag> halves;
-  const auto low01 = hn::BitCast(halves, hn::InterleaveLower(kInts, row0, row1));
-  const auto low23 = hn::BitCast(halves, hn::InterleaveLower(kInts, row2, row3));
-  const auto high01 = hn::BitCast(halves, hn::InterleaveUpper(kInts, row0, row1));
-  const auto high23 = hn::BitCast(halves, hn::InterleaveUpper(kInts, row2, row3));
-  words[0] = hn::BitCast(kInts, hn::InterleaveLower(halves, low01, low23));
-  words[1] = hn::BitCast(kInts, hn::InterleaveUpper(halves, low01, low23));
-  words[2] = hn::BitCast(kInts, hn::InterleaveLower(halves, high01, high23));
-  words[3] = hn::BitCast(kInts, hn::InterleaveUpper(halves, high01, high23));
+  transpose_blocks(load_blocks(kInts, at, 0), load_blocks(kInts, at, 1), load_blocks(kInts, at, 2), load_blocks(kInts, at, 3), words);
+#endif
+}
+
+/// The same of two words that begin at `first(i)` and two that begin at `second(i)`.
+template <class First, class Second>
+HWY_INLINE void load_pairs(First&& first, Second&& second, hn::Vec<IntTag>* words) {
+#if HWY_TARGET == HWY_SCALAR
+  for (std::size_t w = 0; w < 2; ++w) {
+    words[w] = Int(first(std::size_t{0})[w]).v;
+    words[2 + w] = Int(second(std::size_t{0})[w]).v;
+  }
+#else
+  transpose_blocks(load_blocks(kInts, first, second, 0), load_blocks(kInts, first, second, 1), load_blocks(kInts, first, second, 2),
+                   load_blocks(kInts, first, second, 3), words);
 #endif
 }
 
