@@ -86,7 +86,7 @@ HWY_INLINE bool are_alike(const ShadingMap& a, const ShadingMap& b) {
          s.blend_v == t.blend_v && are_equal(a.uv_matrix, b.uv_matrix);
 }
 
-inline HWY_NOINLINE void find_places(const ShadingMap& map, std::size_t count, MapStrip& s) {
+__attribute__((flatten)) inline HWY_NOINLINE void find_places(const ShadingMap& map, std::size_t count, MapStrip& s) {
   const LaneFetch fetch(map.texels);
   for (std::size_t i = 0; i < count; i += kLanes) {
     const Footprint<Float> at = on_map(map, s.footprint_at(map.uv_set, i));
