@@ -7,7 +7,7 @@
 // NOLINTBEGIN(cppcoreguidelines-pro-type-member-init)
 namespace lustro::HWY_NAMESPACE {
 
-inline constexpr std::size_t kStrip = 128;  ///< fragments
+inline constexpr std::size_t kStrip = 256;  ///< fragments
 
 /// Fragments on their way through shading, a stage at a time. Each stage is a short loop, so that the processor works at several of its vectors
 /// at once, and the compiler keeps what all of them need in registers.
