@@ -232,7 +232,8 @@ HWY_INLINE void light_surfaces(const Run& run, const Strip& strip, Visit&& visit
         const Coefficients<Float, LaneExponent<Float>> varying{k.ambient, k.diffuse, k.specular, k.emission, {load(&strip.shininess[i])}};
         terms = evaluate(scene, material, surface, varying, nullptr, ignore).terms;
       } else {
-        terms = evaluate(scene, material, surface, k, nullptr, ignore).terms;
+        terms = light_surface(material.lighting, surface, k, scene.ambient, scene.lights, scene.shading.normalized,
+                              [](std::size_t, const Incident<Float>&, const LightTerms<Float>&) {});
       }
       if (material.maps.reflects) {
         terms.specular += Strip::get(strip.reflection, i);
