@@ -100,7 +100,7 @@ __attribute__((flatten)) inline HWY_NOINLINE void find_places(const ShadingMap& 
 /// Asks for the texels of all maps from `first` on that find them at the places at hand, before any of them waits. Fragments beside each other
 /// share lines of the cache: of each level's rows every kCallStep-th one's are asked for.
 HWY_INLINE void call_texels(const ShadingMaps& maps, std::size_t first, std::size_t count, const MapStrip& s) {
-  constexpr std::size_t kCallStep = 4;
+  constexpr std::size_t kCallStep = 2;
   for (std::size_t kind = first; kind < kMapKinds; ++kind) {
     if ((maps.present >> kind & 1U) == 0 || !are_alike(maps.maps[first], maps.maps[kind])) {
       continue;
