@@ -3,9 +3,32 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "image/srgb.hpp"
 
 namespace lustro::app {
+
+namespace {
+
+bool lets_light_through(const Material& material) {
+  return material.opacity < 1 || material.textures.opacity || material.halo;
+}
+
+bool lets_light_through(const Scene& scene) {
+  return std::ranges::any_of(scene.objects, [](const Object& object) {
+    if (object.mesh != nullptr && !object.mesh->alphas.empty()) {
+      return true;
+    }
+    if (object.material) {
+      return lets_light_through(*object.material);
+    }
+    return object.mesh != nullptr &&
+           std::ranges::any_of(object.mesh->materials, [](const Material& material) { return lets_light_through(material); });
+  });
+}
+
+}  // namespace
 
 std::string why_empty(const Scene& scene, const RenderStats& stats) {
   if (scene.objects.empty()) {
@@ -19,6 +42,11 @@ std::string why_empty(const Scene& scene, const RenderStats& stats) {
         stats.triangles == 1 ? "its one triangle does not lie" : fmt::format("none of the {} triangles lies", stats.triangles);
     return fmt::format("{} before the camera, between near and far, and inside the picture{}", who,
                        scene.camera.eye ? "; without an eye the camera frames everything" : "");
+  }
+  if (lets_light_through(scene)) {
+    return fmt::format("wherever samples meet {}, it is fully transparent (or none meets it: too small, or seen edge-on)",
+                       stats.triangles_seen == 1 ? std::string("the one triangle that lies in the picture")
+                                                 : fmt::format("one of the {} triangles that lie in the picture", stats.triangles_seen));
   }
   return stats.triangles_seen == 1 ? "the one triangle that lies in the picture falls between its samples: it is too small or seen edge-on"
                                    : fmt::format(

@@ -14,7 +14,8 @@
 namespace lustro {
 namespace {
 
-Result<std::shared_ptr<const Texture>> read_texture(const GltfFile& file, const GltfTextures::PictureKey& key, int threads) {
+Result<std::shared_ptr<const Texture>> read_texture(const GltfFile& file, const GltfTextures::PictureKey& key, const ImageLimits& limits,
+                                                    int threads) {
   const auto& [index, content, transfer] = key;
   const GltfImage& image = file.document.images[index];
   const std::string path = fmt::format("images[{}]", index);
@@ -33,7 +34,7 @@ Result<std::shared_ptr<const Texture>> read_texture(const GltfFile& file, const 
     bytes = file.views[image.view];
   }
   const Result<Image> pixels =
-      decode_texture_image(std::as_bytes(std::span<const char>(bytes.data(), bytes.size())), format_name, content, transfer, file.image_limits);
+      decode_texture_image(std::as_bytes(std::span<const char>(bytes.data(), bytes.size())), format_name, content, transfer, limits);
   if (!pixels) {
     return file.fail_at(path, format_name == path ? pixels.error().message : pixels.error().text(), pixels.error().kind);
   }
@@ -56,10 +57,10 @@ std::string picture_name(const GltfDocument& document, std::uint32_t image) {
   return stated.name.empty() ? fmt::format("images[{}]", image) : stated.name;
 }
 
-GltfPicture read_gltf_picture(const GltfFile& file, const GltfTextures::PictureKey& key, int threads) {
+GltfPicture read_gltf_picture(const GltfFile& file, const GltfTextures::PictureKey& key, const ImageLimits& limits, int threads) {
   GltfPicture picture;
   const std::string where = fmt::format("{}: images[{}]", file.name, std::get<0>(key));
-  Result<std::shared_ptr<const Texture>> texture = within_memory(where, [&] { return read_texture(file, key, threads); });
+  Result<std::shared_ptr<const Texture>> texture = within_memory(where, [&] { return read_texture(file, key, limits, threads); });
   if (!texture) {
     picture.error = std::move(texture).error();
     return picture;

@@ -12,6 +12,6 @@ namespace lustro {
 
 /// One of `images` as a texture: from a view, a data URI, or a file in the document's folder. Its format is told by its content.
 /// returns  without a texture: the error, whose `where` is the file and the JSON path
-[[nodiscard]] GltfPicture read_gltf_picture(const GltfFile& file, const GltfTextures::PictureKey& key, int threads);
+[[nodiscard]] GltfPicture read_gltf_picture(const GltfFile& file, const GltfTextures::PictureKey& key, const ImageLimits& limits, int threads);
 
 }  // namespace lustro

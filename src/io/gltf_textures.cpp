@@ -81,8 +81,19 @@ void read_pictures(const GltfFile& file, std::span<const GltfMaterial> materials
       }
     }
   }
-  parallel_jobs(jobs.size(), options.threads,
-                [&](std::size_t i, int threads) { *jobs[i].second = read_gltf_picture(file, *jobs[i].first, threads); });
+  const auto read = [&](std::size_t i, int threads) {
+    const auto& [key, picture] = jobs[i];
+    *picture = read_gltf_picture(file, *key, cache.budget.limits(file.image_limits), threads);
+  };
+  TextureBudget::in_order(jobs.size(), options.threads, read, [&](std::size_t i) {
+    const auto& [key, picture] = jobs[i];
+    if (!picture->error) {
+      picture->error = cache.budget.take(*picture->texture, fmt::format("{}: images[{}]", file.name, std::get<0>(*key)));
+    }
+    if (picture->error) {
+      picture->texture = nullptr;
+    }
+  });
 }
 
 /// A picture that is made, and where it goes.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/gltf_mesh.hpp"
+#include "io/texture_budget.hpp"
 #include "lustro/scene.hpp"
 #include "texture/texture.hpp"
 
@@ -26,6 +27,7 @@ struct GltfTextures {
   std::map<PictureKey, GltfPicture> pictures;
   std::map<std::vector<double>, std::shared_ptr<const Texture>> baked;
   std::uint64_t baked_texels = 0;
+  TextureBudget budget{};
 };
 
 /// The materials that are drawn: classic_material() with its pictures, several of which are read at the same time.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <new>
 #include <utility>
 
 #include "image/decode_texture.hpp"
@@ -14,7 +13,6 @@
 #include "io/note_book.hpp"
 #include "io/read_file.hpp"
 #include "io/text.hpp"
-#include "parallel/parallel_for.hpp"
 #include "texture/slots.hpp"
 
 namespace lustro {
@@ -69,13 +67,13 @@ Image with_alpha_of(const Image& image, char channel) {
   return out;
 }
 
-Result<TextureFile> read_texture(const TextureCache::Key& key, int threads) {
+Result<TextureFile> read_texture(const TextureCache::Key& key, const ImageLimits& limits, int threads) {
   const auto& [name, content, transfer, alpha] = key;
   const Result<FileBytes> bytes = read_file(name);
   if (!bytes) {
     return tl::unexpected(bytes.error());
   }
-  auto image = decode_texture_image(std::as_bytes(std::span(bytes->view())), name, content, transfer);
+  auto image = decode_texture_image(std::as_bytes(std::span(bytes->view())), name, content, transfer, limits);
   if (!image) {
     return tl::unexpected(std::move(image).error());
   }
@@ -119,17 +117,23 @@ void read_files(const std::vector<Request>& requests, int threads, TextureCache&
       jobs.emplace_back(&entry->first, &entry->second);
     }
   }
-  parallel_jobs(jobs.size(), threads, [&](std::size_t i, int own_threads) {
+  const auto read = [&](std::size_t i, int own_threads) {
     const auto& [key, file] = jobs[i];
-    try {
-      auto read = read_texture(*key, own_threads);
-      if (read) {
-        *file = *std::move(read);
-      } else {
-        file->error = std::move(read).error();
-      }
-    } catch (const std::bad_alloc&) {
-      file->error = Error{ErrorKind::limit, std::get<0>(*key), "needs more memory than there is"};
+    const std::string& name = std::get<0>(*key);
+    auto texture = within_memory(name, [&, key = key] { return read_texture(*key, cache.budget.limits(), own_threads); });
+    if (texture) {
+      *file = *std::move(texture);
+    } else {
+      file->error = std::move(texture).error();
+    }
+  };
+  TextureBudget::in_order(jobs.size(), threads, read, [&](std::size_t i) {
+    const auto& [key, file] = jobs[i];
+    if (!file->error) {
+      file->error = cache.budget.take(*file->texture, std::get<0>(*key));
+    }
+    if (file->error) {
+      file->texture = nullptr;
     }
   });
 }

@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "io/texture_budget.hpp"
 #include "lustro/image.hpp"
 #include "lustro/material.hpp"
 #include "lustro/result.hpp"
@@ -32,15 +33,15 @@ class TextureCache {
   /// file, TextureContent, Transfer, the channel that becomes the alpha of a decal
   using Key = std::tuple<std::string, TextureContent, Transfer, char>;
   std::map<Key, TextureFile> files;
+  TextureBudget budget{};
 };
 
 /// Fills Material::textures from Material::maps, as use_of_map() reads them. `folder` is the mesh file's; names are looked for from the folder
 /// of the MTL file that states them, by find_texture().
 ///
-/// A picture that is missing, broken or not read leaves its map out, so that the plain coefficient is drawn, with a note; with options.strict it
-/// is an error. A `bump` picture that holds normals (holds_normals()) becomes the normal map, with a note, unless there is one.
-/// options   transparency_is_tr, strict, transfer, threads
-/// errors    io, malformed, unsupported, limit: only with options.strict
+/// A picture that is missing, broken, not read or beyond the budget leaves its map out, so that the plain coefficient is drawn, with a note;
+/// with options.strict it is an error. A `bump` picture that holds normals (holds_normals()) becomes the normal map, with a note, unless there
+/// is one. options   transparency_is_tr, strict, transfer, threads errors    io, malformed, unsupported, limit: only with options.strict
 [[nodiscard]] Result<Notes> load_map_textures(std::span<Material> materials, const std::filesystem::path& folder, const LoadOptions& options,
                                               TextureCache& cache);
 

@@ -50,6 +50,10 @@ class Texture {
   [[nodiscard]] int width() const { return levels_[0].width; }
   [[nodiscard]] int height() const { return levels_[0].height; }
   [[nodiscard]] int channels() const { return channels_; }  ///< of the picture that it was made of
+  /// Of all levels.
+  [[nodiscard]] std::size_t byte_count() const {
+    return bytes_.size() + unorms_.size() * sizeof(std::uint16_t) + floats_.size() * sizeof(float);
+  }
   [[nodiscard]] TextureLayout layout() const {
     const Format format = this->format();
     const float unit = format == Format::unorm8 ? 255.0F : (format == Format::unorm16 ? 65535.0F : 1.0F);

@@ -268,6 +268,16 @@ TEST_F(RenderCommand, AnEmptyPictureFailsAndLeavesNoFile) {
   EXPECT_EQ(png_size(bytes("out.png")), std::pair(32, 24));
 }
 
+TEST_F(RenderCommand, WhatIsTransparentAllOverIsSaidToBe) {
+  write_text(work() / "clear.json",
+             R"({"image": {"width": 32, "height": 24}, "objects": [{"mesh": "square.obj", "material": {"opacity": 0}}]})");
+  const Outcome outcome = lustro({"render", "clear.json", "-o", "out.png"});
+  EXPECT_EQ(outcome.code, 7);
+  EXPECT_THAT(outcome.err, HasSubstr("nothing was drawn: wherever samples meet"));
+  EXPECT_THAT(outcome.err, HasSubstr("it is fully transparent"));
+  EXPECT_FALSE(std::filesystem::exists(work() / "out.png"));
+}
+
 TEST_F(RenderCommand, ASceneWithoutTrianglesIsEmptyToo) {
   write_text(work() / "square.obj", "v 0 0 0\n");
   EXPECT_EQ(lustro({"render", "scene.json", "-o", "out.png"}).code, 7);

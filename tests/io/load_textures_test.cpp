@@ -176,6 +176,40 @@ TEST(LoadTextures, TheResultIsTheSameForAnyNumberOfThreads) {
   }
 }
 
+TEST(LoadTextures, AllPicturesTogetherStayWithinTheBudget) {
+  const TemporaryFolder folder;
+  std::string mtl;
+  for (int i = 0; i < 3; ++i) {  // 8 x 8 light: 16 bits, with levels of 4, 2 and 1, a column more each: 72 + 20 + 6 + 2 texels of 8 bytes
+    ASSERT_TRUE(write_image(folder.path / ("t" + std::to_string(i) + ".png"), plain(3, {0.25F, 0.5F, 0.75F}, 8), {}));
+    mtl += "newmtl m" + std::to_string(i) + "\nmap_Kd t" + std::to_string(i) + ".png\n";
+  }
+  for (const int threads : {1, 4}) {
+    std::vector<Material> materials = good(parse_mtl(mtl, "m.mtl")).materials;
+    TextureCache cache;
+    const std::uint64_t bytes = [&] {
+      std::vector<Material> free = materials;
+      EXPECT_THAT(good(load_map_textures(free, folder.path, {.threads = threads}, cache)), testing::IsEmpty());
+      return free[0].textures.diffuse->texture->byte_count();
+    }();
+    EXPECT_GE(bytes, 100U * 8U);
+    TextureCache small;
+    small.budget = TextureBudget(2 * bytes + 1);
+    const Notes notes = good(load_map_textures(materials, folder.path, {.threads = threads}, small));
+    EXPECT_TRUE(materials[0].textures.diffuse && materials[1].textures.diffuse);
+    EXPECT_FALSE(materials[2].textures.diffuse);
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_THAT(notes[0].text(),
+                testing::HasSubstr("8 x 8 texels with their smaller levels take " + std::to_string(bytes) + " bytes; of the " +
+                                   std::to_string(2 * bytes + 1) + " that all textures may take together 1 are left; drawn without it"));
+    TextureCache strict;
+    strict.budget = TextureBudget(2 * bytes);
+    std::vector<Material> again = good(parse_mtl(mtl, "m.mtl")).materials;
+    const Result<Notes> error = load_map_textures(again, folder.path, {.strict = true, .threads = threads}, strict);
+    ASSERT_FALSE(error);
+    EXPECT_EQ(error.error().kind, ErrorKind::limit);
+  }
+}
+
 TEST(LoadTextures, SixStatementsAreOneCube) {
   const TemporaryFolder folder;
   ASSERT_TRUE(write_image(folder.path / "a.png", Image(1, 1, 3), {}));
