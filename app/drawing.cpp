@@ -66,13 +66,43 @@ std::string flag_of_key(std::string_view key, const SceneFlags& flags) {
   return {};
 }
 
+void add_path_flags(CLI::App& app, DrawFlags& flags) {
+  const std::string paths = "Paths (with --engine path)";
+  flags.spp = app.add_option("--spp", flags.path.samples, "Paths a pixel, at most (default: 64, or 1048576 with --seconds or --target-error)")
+                  ->type_name("N")
+                  ->check(CLI::Range(1, 1048576))
+                  ->group(paths);
+  const auto add = [&](CLI::Option* option, const char* type) {
+    option->type_name(type)->group(paths);
+    flags.path_options.push_back(option);
+    return option;
+  };
+  flags.path_options.push_back(flags.spp);
+  add(app.add_option("--seconds", flags.path.seconds, "Stops after the pass over the picture in which this time is over"), "S")
+      ->check(CLI::PositiveNumber);
+  add(app.add_option("--target-error", flags.path.target_error,
+                     "Stops when the pixels' standard error, as a share of the picture's mean luminance, is at most this"),
+      "E")
+      ->check(CLI::PositiveNumber);
+  add(app.add_option("--bounces", flags.path.bounces,
+                     "Surfaces that a path meets at most; 1 is direct light, as the local model has it, with shadows (default: 16)"),
+      "N")
+      ->check(CLI::Range(0, 10000));
+  add(app.add_option("--seed", flags.path.seed, "Another number draws another noise (default: 0)"), "N");
+}
+
 }  // namespace
 
-void add_draw_flags(CLI::App& app, DrawFlags& flags, SceneFlags& scene_flags) {
-  one_of(app.add_option("--engine", flags.engine,
-                        "Who draws: raster is fast, reference is slow and obvious; both give the same picture (default: raster)"),
-         {"raster", "reference"})
+void add_draw_flags(CLI::App& app, DrawFlags& flags, SceneFlags& scene_flags, bool with_paths) {
+  one_of(app.add_option(
+             "--engine", flags.engine,
+             "Who draws: raster is fast, reference is slow and obvious, and both give the same picture; path follows light from surface to "
+             "surface, which they approximate (default: raster)"),
+         {"raster", "reference", "path"})
       ->group("Drawing");
+  if (with_paths) {
+    add_path_flags(app, flags);
+  }
   const auto target = std::find_if(scene_flags.flags.begin(), scene_flags.flags.end(), [](const auto& flag) { return flag.name == "--target"; });
   target->option->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args(false);  // one of each kind
   target->option->type_name("X,Y,Z|auto|scalar|sse4|avx2|avx512|neon|wasm");
@@ -85,7 +115,16 @@ void add_draw_flags(CLI::App& app, DrawFlags& flags, SceneFlags& scene_flags) {
 
 Result<RenderOptions> render_options(const Session& session, const DrawFlags& flags) {
   RenderOptions options{.threads = session.threads, .aovs = {}};
-  options.engine = flags.engine == "reference" ? Engine::reference : Engine::raster;
+  options.engine = flags.engine == "path" ? Engine::path : flags.engine == "reference" ? Engine::reference : Engine::raster;
+  for (const CLI::Option* option : flags.path_options) {
+    if (options.engine != Engine::path && option->count() > 0) {
+      return fail(ErrorKind::usage, option->get_name(), "belongs to --engine path");
+    }
+  }
+  options.path = flags.path;
+  if (flags.spp != nullptr && flags.spp->count() == 0 && (options.path.seconds > 0 || options.path.target_error > 0)) {
+    options.path.samples = 1048576;
+  }
   const Result<NamedTarget> named = named_target(flags);
   if (!named) {
     return tl::unexpected(named.error());

@@ -11,14 +11,19 @@
 
 namespace lustro::app {
 
-/// `--engine` and `--target`, of every command that draws.
+/// `--engine`, `--target` and how long paths are followed, of every command that draws.
 struct DrawFlags {
   std::string engine = "raster";
   const CLI::Option* target = nullptr;
+  PathOptions path;  ///< `--spp`, `--seconds`, ...
+  const CLI::Option* spp = nullptr;
+  std::vector<const CLI::Option*> path_options;
 };
 
 /// Adds the flags. `--target` is the camera's as well: `--target 0,1,0` is a point, `--target avx2` a target to draw with.
-void add_draw_flags(CLI::App& app, DrawFlags& flags, SceneFlags& scene_flags);
+///
+/// with_paths  also those that say how long paths are followed
+void add_draw_flags(CLI::App& app, DrawFlags& flags, SceneFlags& scene_flags, bool with_paths = true);
 
 /// What the flags ask for, with the session's threads.
 /// errors  usage for an unknown target, unsupported for one that this machine lacks; `where` is the flag, or the variable of the environment

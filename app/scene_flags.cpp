@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "io/load_environment.hpp"
 #include "scene/fields.hpp"
 
 namespace lustro::app {
@@ -38,7 +39,7 @@ std::string value_name(const FieldInfo& field) {
     case ValueKind::material:
       return "MATERIAL";
     case ValueKind::table:
-      return field.flag == "--fog" ? "FOG" : "VALUE";
+      return field.flag == "--fog" ? "FOG" : field.flag == "--environment" ? "FILE|COLOR" : "VALUE";
     case ValueKind::matrix:
     case ValueKind::text:
     case ValueKind::objects:
@@ -66,6 +67,9 @@ std::string value_hint(const FieldInfo& field) {
     case ValueKind::material:
       return "a name of `lustro materials`, or coefficients: \"jade,shininess=40\", \"diffuse=#f00\"";
     case ValueKind::table:
+      if (field.flag == "--environment") {
+        return "a picture of all directions, a colour, or none";
+      }
       return "\"exp density=0.2 color=#abc\", \"linear start=2 end=9\", none";
     case ValueKind::terms: {
       std::string words;
@@ -220,6 +224,13 @@ Result<void> apply_scene_flags(const SceneFlags& flags, Scene& scene) {
         return set;
       }
     }
+  }
+  if (is_stated("--environment") && scene.environment && !scene.environment->file.empty()) {
+    auto picture = read_environment(scene.environment->file, scene.image.transfer);  // from where the command is typed
+    if (!picture) {
+      return fail(picture.error().kind, "--environment", picture.error().text());
+    }
+    scene.environment->picture = *std::move(picture);
   }
   return {};
 }

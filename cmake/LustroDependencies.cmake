@@ -66,6 +66,13 @@ pkg_check_modules(EXPAT IMPORTED_TARGET expat) # without it no 3MF
 pkg_check_modules(DRACO IMPORTED_TARGET draco)
 find_package(meshoptimizer CONFIG QUIET)
 
+# Without it there is no path tracer, and the library says so.
+if(LUSTRO_WITH_EMBREE STREQUAL "ON")
+  find_package(embree 3 REQUIRED)
+elseif(LUSTRO_WITH_EMBREE STREQUAL "AUTO")
+  find_package(embree 3 QUIET)
+endif()
+
 # Off unless asked for: what it reads is not fuzzed by us.
 if(LUSTRO_WITH_ASSIMP)
   pkg_check_modules(ASSIMP REQUIRED IMPORTED_TARGET assimp)
@@ -96,6 +103,11 @@ endif()
 if(meshoptimizer_FOUND)
   target_link_libraries(lustro_private_dependencies INTERFACE meshoptimizer::meshoptimizer)
   target_compile_definitions(lustro_private_dependencies INTERFACE $<BUILD_INTERFACE:LUSTRO_HAS_MESHOPT>)
+endif()
+
+if(embree_FOUND)
+  target_link_libraries(lustro_private_dependencies INTERFACE embree)
+  target_compile_definitions(lustro_private_dependencies INTERFACE $<BUILD_INTERFACE:LUSTRO_HAS_EMBREE>)
 endif()
 
 # The same for pkg-config, by the names of their .pc files; cmake/lustroConfig.cmake.in finds them for CMake.

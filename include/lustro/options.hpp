@@ -64,7 +64,19 @@ enum class GltfShading : std::uint8_t {
   ggx,      ///< the lighting that glTF asks for; so, too, where the scene's lighting is `ggx`
 };
 
-enum class LightType : std::uint8_t { directional, point, spot };
+enum class LightType : std::uint8_t {
+  directional,
+  point,
+  spot,
+  rectangle,  ///< an area that shines from its front
+  disk,       ///< the same, round
+  sphere,     ///< a ball that shines all around
+};
+
+/// Whether the light has a size.
+[[nodiscard]] constexpr bool is_area(LightType type) {
+  return type == LightType::rectangle || type == LightType::disk || type == LightType::sphere;
+}
 
 enum class FogMode : std::uint8_t { linear, exp, exp2 };
 

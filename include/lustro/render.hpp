@@ -36,6 +36,7 @@ enum class AovKind : std::uint8_t {
   triangle,      ///< index within the object's mesh, of a displaced one as it is subdivided; -1 on the background
   barycentrics,  ///< perspective-correct weights of the triangle's three vertices
   mask,          ///< share of the pixel that is covered: samples, each by what its surfaces hide together
+  variance,      ///< Engine::path: of each pixel's mean, channel by channel; its root is the standard error
 };
 
 struct Aov {
@@ -50,10 +51,20 @@ struct Aov {
 /// All the names that parse_aovs() knows, in their order.
 [[nodiscard]] std::span<const std::string_view> aov_names();
 
-/// Who draws. Both give the same bits.
+/// Who draws. The first two give the same bits.
 enum class Engine : std::uint8_t {
   raster,     ///< tiles, lanes and threads
   reference,  ///< slow and obvious: it defines what correct is
+  path,       ///< follows light from surface to surface: what the local model approximates (docs/using/ground-truth.md)
+};
+
+/// How long Engine::path looks, and how far. It stops at the first of `samples`, `seconds` and `target_error` that is reached.
+struct PathOptions {
+  int samples = 64;         ///< paths a pixel, at most; 1..1048576
+  double seconds = 0;       ///< > 0: no pass over the picture begins after this time
+  double target_error = 0;  ///< > 0: RenderStats::error that is good enough
+  int bounces = 16;         ///< surfaces that a path meets at most, 0..10000; 1: direct light, lit as the local model does, with shadows
+  std::uint32_t seed = 0;   ///< another one draws another noise
 };
 
 /// The instruction set whose row of kernels draws. All rows give the same bits.
@@ -77,12 +88,18 @@ struct RenderOptions {
   Target target = Target::automatic;  ///< of Engine::raster; automatic: the widest that the machine has
   bool store_color = true;            ///< fill Rendering::color
   bool store_bytes = false;           ///< fill Rendering::bytes
+  PathOptions path{};                 ///< of Engine::path
 };
 
 struct RenderStats {
   std::uint64_t triangles = 0;       ///< in the scene
   std::uint64_t triangles_seen = 0;  ///< inside the picture and not degenerate; counted only where no pixel is covered, to say why, else 0
   std::uint64_t pixels_covered = 0;  ///< with at least one covered sample; 0: nothing was drawn
+
+  // Of Engine::path.
+  int samples = 0;         ///< paths a pixel that were followed
+  std::uint64_t rays = 0;  ///< that were shot, those to lights included
+  double error = 0;        ///< root mean square of the pixels' standard errors over the picture's mean, of luminance
 };
 
 /// Where the time of one picture went, milliseconds. The last two are done tile by tile on all threads at once: their sum is the wall time of
@@ -105,7 +122,8 @@ struct Rendering {
   Notes notes;
 };
 
-/// Draws a scene. Equal scenes give equal bits, whatever the engine, the target, the number of threads and the machine.
+/// Draws a scene. Equal scenes give equal bits, whatever the engine (but Engine::path), the target, the number of threads and the machine;
+/// Engine::path gives equal bits for any number of threads on one machine.
 /// errors  usage where the scene does not fit together (an object without a mesh, eye and target equal, ...); limit; empty where there is
 ///         nothing to draw at all; unsupported for a target that this machine cannot run
 [[nodiscard]] Result<Rendering> render(const Scene& scene, const RenderOptions& options = {});

@@ -90,8 +90,8 @@ struct Attenuation {
 struct Light {
   LightType type = LightType::directional;
   std::string name{};
-  Vec3d position{0, 0, 0};    ///< world; point and spot
-  Vec3d direction{0, 0, -1};  ///< the way that the light travels, world, of any length but 0; directional and spot
+  Vec3d position{0, 0, 0};    ///< world; all but directional; the centre of an area
+  Vec3d direction{0, 0, -1};  ///< the way that the light travels, world, of any length but 0; directional and spot; the way an area faces
   Color ambient{{0, 0, 0}};
   Color diffuse{{1, 1, 1}};
   Color specular{{1, 1, 1}};
@@ -101,6 +101,21 @@ struct Light {
   SpotFade fade = SpotFade::smoothstep;
   double exponent = 0;  ///< 0..10000
   bool shadow = true;   ///< where the scene has shadows: this light throws some
+
+  // Of areas, whose `diffuse` is the radiance that they emit: what a camera would see of them.
+  Vec2f size{1, 1};               ///< rectangle: its edges, world units
+  std::optional<Vec3d> x_axis{};  ///< rectangle: the way of its first edge, made perpendicular to `direction`; else level
+  double radius = 1;              ///< disk and sphere, world units
+};
+
+/// The key `environment`: light from infinitely far away, all around.
+struct Environment {
+  std::string file{};                      ///< a picture of all directions, as ReflectionShape::sphere lays them out, relative to the scene file
+  Color color{{1, 1, 1}};                  ///< where there is no picture: the same from everywhere
+  Vec3f gain{1, 1, 1};                     ///< what it is multiplied by
+  double rotation = 0;                     ///< degrees about +y, counter-clockwise seen from above
+  bool visible = true;                     ///< it is the background
+  std::shared_ptr<const Image> picture{};  ///< RGB, linear; filled by load_scene(), or by hand
 };
 
 /// The key `fog`, on the Euclidean distance from the eye to the point.
@@ -131,6 +146,7 @@ struct Scene {
   std::optional<ShadowSettings> shadow{};        ///< nothing: every light reaches every surface that faces it
   std::optional<OcclusionSettings> occlusion{};  ///< nothing: the ambient light is the same everywhere
   std::optional<Ground> ground{};                ///< nothing: no floor
+  std::optional<Environment> environment{};
   std::vector<Object> objects{};
 };
 

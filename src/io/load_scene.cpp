@@ -17,6 +17,7 @@
 
 #include "io/find_file.hpp"
 #include "io/gltf_scene.hpp"
+#include "io/load_environment.hpp"
 #include "io/load_mesh.hpp"
 #include "io/load_textures.hpp"
 #include "io/mesh_format.hpp"
@@ -241,6 +242,15 @@ Result<void> load_all(Scene& scene, const fs::path& folder, const LoadOptions& s
     const std::string where =
         material->name.empty() ? fmt::format("objects[{}].material.textures", i) : fmt::format("material {}", shown(material->name));
     const Result<Notes> found = load_stated_textures(*material, where, folder, options, loaded.textures);
+    if (!found) {
+      return tl::unexpected(found.error());
+    }
+    for (const Note& note : *found) {
+      notes.add(note);
+    }
+  }
+  if (scene.environment) {
+    const Result<Notes> found = load_environment(*scene.environment, folder, options.transfer);
     if (!found) {
       return tl::unexpected(found.error());
     }

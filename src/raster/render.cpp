@@ -12,6 +12,7 @@
 #include "image/store.hpp"
 #include "parallel/parallel_for.hpp"
 #include "parallel/progress.hpp"
+#include "path/render.hpp"
 #include "raster/bins.hpp"
 #include "raster/frame.hpp"
 #include "raster/target.hpp"
@@ -169,6 +170,77 @@ void draw_tiles(Workshop& workshop, const Kernels& kernels, const RenderOptions&
   result.times.shading = shading * share;
 }
 
+/// What the local model cannot draw as it is.
+void note_what_is_approximated(const PreparedScene& scene, Notes& notes) {
+  if (scene.environment) {
+    notes.push_back({"environment", "is drawn by --engine path alone: here it neither lights nor is seen"});
+  }
+  if (!scene.area_lights.empty()) {
+    notes.push_back({fmt::format("lights[{}]", scene.area_lights.front().light),
+                     "has a size, which --engine path alone draws: here it shines from its centre"});
+  }
+}
+
+void rasterize(Workshop& workshop, Target target, std::span<const Aov> aovs, const RenderOptions& options, Rendering& result) {
+  const PreparedScene& prepared = workshop.prepared;
+  result.stats = {.triangles = prepared.triangle_count};
+  if (options.store_color) {
+    resize(result.color, prepared.view, 4);
+  }
+  if (options.store_bytes) {
+    resize(result.bytes, prepared.view, 4);
+  }
+  lay_out(workshop.frame, prepared, aovs, options, result);
+  const auto laid_out = Clock::now();
+  sort_into_tiles(workshop.frame, workshop.bins, options.threads);  // raster/bins.cpp
+  result.times.cull = milliseconds(Clock::now() - laid_out);
+  draw_tiles(workshop, kernels_of(target), options, result);  // raster/row.cpp
+  if (result.stats.pixels_covered == 0) {
+    result.stats.triangles_seen = setup_triangles(prepared, options.threads).size();
+  }
+}
+
+/// Whether a layer is a part of the local model's sum, which the path tracer does not have.
+bool is_local_term(AovKind kind) {
+  switch (kind) {
+    case AovKind::ambient:
+    case AovKind::diffuse:
+    case AovKind::specular:
+    case AovKind::emission:
+    case AovKind::fog:
+    case AovKind::background:
+    case AovKind::light:
+    case AovKind::scene:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// The picture by paths; layers of numbers (depth, normals, ids, ...) by the rasterizer, for both see the same surfaces.
+Result<void> draw_paths(std::span<const Aov> aovs, const RenderOptions& options, Target target, Workshop& workshop, Rendering& result) {
+  bool wants_numbers = false;
+  for (const Aov& aov : aovs) {
+    if (is_local_term(aov.kind)) {
+      return fail(ErrorKind::unsupported, "",
+                  fmt::format("the layer {} is a part of the local model's sum, which --engine path does not have",
+                              make_layer(aov, workshop.prepared).name));
+    }
+    wants_numbers = wants_numbers || aov.kind != AovKind::variance;
+  }
+  if (wants_numbers) {
+    RenderOptions numbers = options;
+    numbers.store_color = numbers.store_bytes = false;
+    numbers.progress = {};
+    rasterize(workshop, target, aovs, numbers, result);
+  }
+  auto drawn = render_path(workshop.prepared, aovs, options, result);  // path/render.cpp
+  if (drawn && result.stats.pixels_covered == 0) {
+    result.stats.triangles_seen = setup_triangles(workshop.prepared, options.threads).size();
+  }
+  return drawn;
+}
+
 Result<void> draw(const Scene& scene, const RenderOptions& options, Workshop& workshop, Rendering& result) {
   const auto begin = Clock::now();
   const auto target = choose_target(options.target);  // raster/target.cpp
@@ -190,26 +262,18 @@ Result<void> draw(const Scene& scene, const RenderOptions& options, Workshop& wo
   for (const Aov& aov : *aovs) {
     result.layers.push_back(make_layer(aov, prepared));
   }
+  if (options.engine == Engine::path) {
+    auto drawn = draw_paths(*aovs, options, *target, workshop, result);
+    result.times.total = milliseconds(Clock::now() - begin);
+    return drawn;
+  }
+  note_what_is_approximated(prepared, result.notes);
   if (options.engine == Engine::reference) {
     render_reference(prepared, *aovs, options, result);  // reference/render.cpp
     result.times.total = milliseconds(Clock::now() - begin);
     return {};
   }
-  result.stats = {.triangles = prepared.triangle_count};
-  if (options.store_color) {
-    resize(result.color, prepared.view, 4);
-  }
-  if (options.store_bytes) {
-    resize(result.bytes, prepared.view, 4);
-  }
-  lay_out(workshop.frame, prepared, *aovs, options, result);
-  const auto laid_out = Clock::now();
-  sort_into_tiles(workshop.frame, workshop.bins, options.threads);  // raster/bins.cpp
-  result.times.cull = milliseconds(Clock::now() - laid_out);
-  draw_tiles(workshop, kernels_of(*target), options, result);  // raster/row.cpp
-  if (result.stats.pixels_covered == 0) {
-    result.stats.triangles_seen = setup_triangles(prepared, options.threads).size();
-  }
+  rasterize(workshop, *target, *aovs, options, result);
   result.times.total = milliseconds(Clock::now() - begin);
   return {};
 }

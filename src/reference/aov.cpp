@@ -25,7 +25,7 @@ constexpr std::array kRows{
     Row{AovKind::position, "position", {"X", "Y", "Z"}}, Row{AovKind::albedo, "albedo", {"R", "G", "B"}},
     Row{AovKind::object, "object", {"ID", "", ""}},      Row{AovKind::material, "material", {"ID", "", ""}},
     Row{AovKind::triangle, "triangle", {"ID", "", ""}},  Row{AovKind::barycentrics, "barycentrics", {"U", "V", "W"}},
-    Row{AovKind::mask, "mask", {"A", "", ""}},
+    Row{AovKind::mask, "mask", {"A", "", ""}},           Row{AovKind::variance, "variance", {"R", "G", "B"}},
 };
 constexpr auto kNames = [] {
   std::array<std::string_view, kRows.size()> names;
@@ -180,6 +180,9 @@ void store_aov(const Aov& aov, const PreparedScene& scene, const Pixel& pixel, s
       break;
     case AovKind::mask:
       out[0] = pixel.coverage;
+      break;
+    case AovKind::variance:  // of a picture without noise
+      store({});
       break;
   }
 }

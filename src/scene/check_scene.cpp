@@ -55,10 +55,22 @@ Result<void> check_camera(const Camera& camera, const JsonPath& path) {
   return {};
 }
 
+bool has_direction(LightType type) {
+  return type != LightType::point && type != LightType::sphere;
+}
+
 Result<void> check_light(const Light& light, const JsonPath& path) {
-  if (light.type != LightType::point) {
+  if (has_direction(light.type)) {
     if (auto done = check_direction(light.direction, path / "direction"); !done) {
       return done;
+    }
+  }
+  if (light.type == LightType::rectangle && light.x_axis) {
+    if (auto done = check_direction(*light.x_axis, path / "x_axis"); !done) {
+      return done;
+    }
+    if (length(cross(normalize(*light.x_axis), normalize(light.direction))) < kSmallestSine) {
+      return broken(path / "x_axis", fmt::format("{} lies along direction, expected another way", text_of(*light.x_axis)));
     }
   }
   if (light.beam && !(*light.beam < light.cutoff)) {
@@ -140,10 +152,10 @@ Notes unused_keys(const Scene& scene) {
     if (light.type == LightType::directional && light.position != standard.position) {
       unused(path / "position", with);
     }
-    if (light.type == LightType::point && light.direction != standard.direction) {
+    if (!has_direction(light.type) && light.direction != standard.direction) {
       unused(path / "direction", with);
     }
-    if (light.type == LightType::directional && differs(light.attenuation)) {
+    if ((light.type == LightType::directional || is_area(light.type)) && differs(light.attenuation)) {
       unused(path / "attenuation", with);
     }
     if (light.type != LightType::spot && light.cutoff != standard.cutoff) {
@@ -157,6 +169,15 @@ Notes unused_keys(const Scene& scene) {
     }
     if (light.type != LightType::spot && light.exponent != standard.exponent) {
       unused(path / "exponent", with);
+    }
+    if (light.type != LightType::rectangle && light.size != standard.size) {
+      unused(path / "size", with);
+    }
+    if (light.type != LightType::rectangle && light.x_axis) {
+      unused(path / "x_axis", with);
+    }
+    if (light.type != LightType::disk && light.type != LightType::sphere && light.radius != standard.radius) {
+      unused(path / "radius", with);
     }
   }
   return notes;

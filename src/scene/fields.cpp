@@ -161,6 +161,20 @@ struct FromText {
     return {};
   }
   Result<void> operator()(Fog& value) const { return assign(value, parse_fog(text), {}); }
+  Result<void> operator()(Vec2f& value) const {
+    const auto read = parse_pair(text);
+    return assign(value, read, read ? check(range, {static_cast<double>(read->x), static_cast<double>(read->y)}) : Result<void>{});
+  }
+  /// A colour, else the name of a picture's file.
+  Result<void> operator()(Environment& value) const {
+    value = {};
+    if (const auto color = parse_color(text)) {
+      value.color = *color;
+    } else {
+      value.file = std::string(text);
+    }
+    return {};
+  }
   Result<void> operator()(Material& value) const { return assign(value, parse_material(text), {}); }
   Result<void> operator()(std::optional<std::vector<Light>>& value) const {
     if (text == "none") {
@@ -398,6 +412,7 @@ LUSTRO_FIELDS_OF(Shading)
 LUSTRO_FIELDS_OF(Light)
 LUSTRO_FIELDS_OF(Attenuation)
 LUSTRO_FIELDS_OF(Fog)
+LUSTRO_FIELDS_OF(Environment)
 LUSTRO_FIELDS_OF(Material)
 LUSTRO_FIELDS_OF(StatedTextures)
 LUSTRO_FIELDS_OF(StatedTexture)
@@ -416,6 +431,7 @@ std::vector<FieldGroup> field_groups() {
       group_of<Light>("lights[]", "one light"),
       group_of<Attenuation>("lights[].attenuation", "1 / (c + l d + q d^2), or 1 / d^falloff, at the distance d"),
       group_of<Fog>("fog", "on the Euclidean distance from the eye to the point, after lighting; the background is not fogged"),
+      group_of<Environment>("environment", "the sky; a file's name or a colour stands for a table with that `file` or `color`"),
       group_of<Material>("materials.*", "the coefficients of a material"),
       group_of<StatedTextures>("materials.*.textures",
                                "what varies over the surface; colours multiply their coefficient, one value each the others"),

@@ -73,15 +73,14 @@ struct ColorAlpha {
 
 /// Where a struct keeps the value. monostate: the file has the key, the struct does not (`materials`).
 template <class T>
-using Member =
-    std::variant<bool T::*, int T::*, float T::*, double T::*, std::optional<double> T::*, Vec3d T::*, std::optional<Vec3d> T::*, Mat4 T::*,
-                 Color T::*, ColorAlpha<T>, std::string T::*, TermSet T::*, Transfer T::*, Projection T::*, ViewPreset T::*, Lighting T::*,
-                 std::optional<Lighting> T::*, Interpolation T::*, NormalInterpolation T::*, VertexNormals T::*, Culling T::*,
-                 std::optional<Culling> T::*, LightType T::*, SpotFade T::*, FogMode T::*, ImageSettings T::*, Camera T::*, Shading T::*,
-                 Attenuation T::*, std::optional<Fog> T::*, std::optional<std::vector<Light>> T::*, std::vector<Object> T::*,
-                 std::optional<Material> T::*, AlphaMode T::*, StatedTextures T::*, std::optional<StatedTexture> T::*,
-                 std::optional<StatedReflection> T::*, ReflectionShape T::*, WrapPair T::*, TextureFilter T::*, MipFilter T::*,
-                 TextureChannel T::*, Vec2f T::*, Vec3f T::*, std::optional<std::array<float, 6>> T::*, std::monostate>;
+using Member = std::variant<
+    bool T::*, int T::*, float T::*, double T::*, std::optional<double> T::*, Vec3d T::*, std::optional<Vec3d> T::*, Mat4 T::*, Color T::*,
+    ColorAlpha<T>, std::string T::*, TermSet T::*, Transfer T::*, Projection T::*, ViewPreset T::*, Lighting T::*, std::optional<Lighting> T::*,
+    Interpolation T::*, NormalInterpolation T::*, VertexNormals T::*, Culling T::*, std::optional<Culling> T::*, LightType T::*, SpotFade T::*,
+    FogMode T::*, ImageSettings T::*, Camera T::*, Shading T::*, Attenuation T::*, std::optional<Fog> T::*, std::optional<Environment> T::*,
+    std::optional<int> T::*, std::optional<std::vector<Light>> T::*, std::vector<Object> T::*, std::optional<Material> T::*, AlphaMode T::*,
+    StatedTextures T::*, std::optional<StatedTexture> T::*, std::optional<StatedReflection> T::*, ReflectionShape T::*, WrapPair T::*,
+    TextureFilter T::*, MipFilter T::*, TextureChannel T::*, Vec2f T::*, Vec3f T::*, std::optional<std::array<float, 6>> T::*, std::monostate>;
 
 /// One key of the struct T.
 template <class T>
@@ -95,8 +94,8 @@ struct Field {
   std::string_view absent = {};  ///< what holds where the key is not stated, if the struct's default does not say it
 };
 
-/// The keys of T in the order of the documentation: ImageSettings, Camera, Shading, Light, Attenuation, Fog, Material, StatedTextures,
-/// StatedTexture, StatedReflection, Object, Scene.
+/// The keys of T in the order of the documentation: ImageSettings, Camera, Shading, Light, Attenuation, Fog, Environment, Material,
+/// StatedTextures, StatedTexture, StatedReflection, Object, Scene.
 template <class T>
 [[nodiscard]] std::span<const Field<T>> fields();
 

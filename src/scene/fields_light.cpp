@@ -1,4 +1,4 @@
-// The keys of a light, of its `attenuation`, and of `fog`.
+// The keys of a light, of its `attenuation`, of `fog` and of `environment`.
 #include <array>
 
 #include "scene/fields.hpp"
@@ -8,16 +8,19 @@ namespace {
 
 constexpr Range kColor{.lower = 0};
 constexpr Range kNotNegative{.lower = 0};
+constexpr Range kPositive{.lower = 0, .lower_open = true};
 constexpr Range kHalfAngle{.lower = 0, .upper = 90};
 constexpr Range kExponent{.lower = 0, .upper = 10000};
 
 constexpr std::array kLightFields{
     Field<Light>{"type", "", &Light::type, "what kind of light it is"},
     Field<Light>{"name", "", &Light::name, "what messages, layers and `explain` call it"},
-    Field<Light>{"position", "", &Light::position, "where a point or spot light stands", "world units"},
-    Field<Light>{"direction", "", &Light::direction, "the way that the light travels (directional, spot), of any length but 0"},
+    Field<Light>{"position", "", &Light::position, "where it stands; of an area its centre; not of a directional one", "world units"},
+    Field<Light>{"direction", "", &Light::direction,
+                 "the way that the light travels (directional, spot), or that an area faces (rectangle, disk), of any length but 0"},
     Field<Light>{"ambient", "", &Light::ambient, "its ambient colour l_a", "", kColor},
-    Field<Light>{"diffuse", "", &Light::diffuse, "its diffuse colour l_d", "", kColor},
+    Field<Light>{"diffuse", "", &Light::diffuse, "its diffuse colour l_d; of an area (rectangle, disk, sphere) the radiance that it emits", "",
+                 kColor},
     Field<Light>{"specular", "", &Light::specular, "its specular colour l_s", "", kColor},
     Field<Light>{"attenuation", "", &Light::attenuation, "how a point or spot light fades with the distance", "", {}, "none"},
     Field<Light>{"cutoff", "", &Light::cutoff, "half angle of a spot light's cone", "degrees", kHalfAngle},
@@ -25,6 +28,9 @@ constexpr std::array kLightFields{
                  kHalfAngle, "a hard edge at the cutoff"},
     Field<Light>{"fade", "", &Light::fade, "how a spot light falls from its beam to the cutoff; t goes from 0 to 1 with the cosine"},
     Field<Light>{"exponent", "", &Light::exponent, "a spot light falls off with the cosine from its axis to this power", "", kExponent},
+    Field<Light>{"size", "", &Light::size, "the edges of a rectangle", "world units", kPositive},
+    Field<Light>{"x_axis", "", &Light::x_axis, "the way of a rectangle's first edge, made perpendicular to `direction`", "", {}, "level"},
+    Field<Light>{"radius", "", &Light::radius, "of a disk or a sphere", "world units", kPositive},
 };
 
 constexpr std::array kAttenuationFields{
@@ -46,7 +52,26 @@ constexpr std::array kFogFields{
     Field<Fog>{"color", "", &Fog::color, "what everything fades to", "", kColor},
 };
 
+constexpr std::array kEnvironmentFields{
+    Field<Environment>{"file",
+                       "",
+                       &Environment::file,
+                       "a picture of all directions, laid out as a reflection map's sphere, relative to the scene file",
+                       "",
+                       {},
+                       "none"},
+    Field<Environment>{"color", "", &Environment::color, "where there is no picture: the same from everywhere", "", kColor},
+    Field<Environment>{"gain", "", &Environment::gain, "what it is multiplied by", "", kNotNegative},
+    Field<Environment>{"rotation", "", &Environment::rotation, "about +y, counter-clockwise seen from above", "degrees"},
+    Field<Environment>{"visible", "", &Environment::visible, "it is the background, too"},
+};
+
 }  // namespace
+
+template <>
+std::span<const Field<Environment>> fields<Environment>() {
+  return kEnvironmentFields;
+}
 
 template <>
 std::span<const Field<Light>> fields<Light>() {

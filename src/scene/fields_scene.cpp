@@ -9,6 +9,8 @@ namespace {
 constexpr Range kColor{.lower = 0};
 constexpr Range kCrease{.lower = 0, .upper = 180};
 constexpr Range kExponent{.lower = 0, .upper = 10000};
+constexpr Range kIllumination{.lower = 0, .upper = 10};
+constexpr Range kRefraction{.lower = 0.001, .upper = 10};
 constexpr Range kUnit{.lower = 0, .upper = 1};
 
 constexpr std::array kSceneFields{
@@ -24,6 +26,13 @@ constexpr std::array kSceneFields{
                  {},
                  "a default rig that moves with the camera"},
     Field<Scene>{"fog", "--fog", &Scene::fog, "what distance does to colours", "", {}, "no fog"},
+    Field<Scene>{"environment",
+                 "--environment",
+                 &Scene::environment,
+                 "light from infinitely far away, all around; drawn by the path tracer",
+                 "",
+                 {},
+                 "none"},
     Field<Scene>{"materials",
                  "",
                  std::monostate{},
@@ -68,6 +77,11 @@ constexpr std::array kMaterialFields{
     Field<Material>{"alpha_cutoff", "", &Material::alpha_cutoff, "of alpha_mode mask: where the opacity is less there is nothing", "", kUnit},
     Field<Material>{"lighting", "", &Material::lighting, "this material's own way of being lit", "", {}, "that of `shading`"},
     Field<Material>{"cull", "", &Material::cull, "faces of this material that are left out", "", {}, "that of `shading`"},
+    Field<Material>{"illumination", "", &Material::illumination,
+                    "how the path tracer mirrors and refracts, as MTL's illum: 3 a mirror of k_s, 5 by Fresnel, 6 clear, 7 by Fresnel", "",
+                    kIllumination, "no mirror"},
+    Field<Material>{"refraction", "", &Material::refraction, "index of refraction, of illumination 5, 6 and 7", "", kRefraction},
+    Field<Material>{"transmission", "", &Material::transmission, "what passes into the material, of illumination 6 and 7", "", kColor},
     Field<Material>{"textures", "", &Material::stated_textures, "pictures of what varies over the surface", "", {}, "none"},
 };
 

@@ -47,7 +47,7 @@ std::string value_column(const FieldInfo& field) {
     case ValueKind::reflection:
       return "file or table";
     case ValueKind::pair:
-      return "`[u, v]`";
+      return field.unit.empty() ? "`[u, v]`" : with_range("`[x, y]`");
     case ValueKind::triple:
       return "number, or `[r, g, b]`";
     case ValueKind::affine:

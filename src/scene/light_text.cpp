@@ -75,14 +75,19 @@ Result<void> set_light_key(Light& light, std::string_view key, std::string_view 
   return unknown_key(key, known);
 }
 
-/// The keys that stand without a name after the type: `point POSITION`, `spot POSITION DIRECTION`, `directional DIRECTION`.
+/// The keys that stand without a name after the type: `point POSITION`, `spot POSITION DIRECTION`, `directional DIRECTION`;
+/// areas as `point` or `spot`.
 std::vector<std::string_view> positional_keys(LightType type) {
   switch (type) {
     case LightType::directional:
       return {"direction"};
     case LightType::point:
       return {"position"};
+    case LightType::sphere:
+      return {"position"};
     case LightType::spot:
+    case LightType::rectangle:
+    case LightType::disk:
       return {"position", "direction"};
   }
   return {};

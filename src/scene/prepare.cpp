@@ -44,12 +44,16 @@ void prepare_material(const Material& material, const Shading& shading, Transfer
                          keep(has_specular, result.stated.specular), keep(terms.emission, result.stated.emission), material.shininess};
 }
 
+Vec3f unit_direction(const Vec3d& direction) {
+  const double size = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+  return size > 0 ? vec_cast<float>(normalize(direction * (1 / size))) : Vec3f{0, 0, -1};
+}
+
 ShadingLight prepare_light(const Light& light, const View& view, const TermSet& terms, Transfer transfer) {
   ShadingLight result;
   result.type = light.type;
   result.position = vec_cast<float>(light.position - view.eye);
-  const double size = std::max({std::abs(light.direction.x), std::abs(light.direction.y), std::abs(light.direction.z)});
-  result.travel = size > 0 ? vec_cast<float>(normalize(light.direction * (1 / size))) : Vec3f{0, 0, -1};
+  result.travel = unit_direction(light.direction);
   result.ambient = linear_rgb(light.ambient, transfer);
   result.diffuse = linear_rgb(light.diffuse, transfer);
   result.specular = terms.specular ? linear_rgb(light.specular, transfer) : Vec3f{};
@@ -72,6 +76,82 @@ ShadingLight prepare_light(const Light& light, const View& view, const TermSet& 
     result.beam_scale = static_cast<float>(1 / std::max(cos_beam - cos_cutoff, least));
   }
   result.exponent = static_cast<float>(light.exponent);
+  return result;
+}
+
+// The light without a size that lights as this one does from far away: a flat patch of area A and radiance L is a spot with the cosine's falloff
+// and the colour L A / pi, a ball of radius r a point with the colour L r^2; both fall with 1 / d^2.
+Light stand_in_of(const Light& light) {
+  Light result = light;
+  result.attenuation = {.constant = 0, .linear = 0, .quadratic = 1, .falloff = {}, .unclamped = true, .range = {}};
+  result.cutoff = 90;
+  result.beam.reset();
+  result.exponent = 1;
+  result.type = light.type == LightType::sphere ? LightType::point : LightType::spot;
+  return result;
+}
+
+float strength_of_stand_in(const Light& light) {
+  switch (light.type) {
+    case LightType::rectangle:
+      return static_cast<float>(static_cast<double>(light.size.x) * static_cast<double>(light.size.y) / kPi);
+    case LightType::disk:  // A = pi r^2
+    case LightType::sphere:
+      return static_cast<float>(light.radius * light.radius);
+    default:
+      return 1;
+  }
+}
+
+AreaLight prepare_area(const Light& light, const ShadingLight& shading, std::uint32_t index, const View& view) {
+  AreaLight area;
+  area.type = light.type;
+  area.light = index;
+  area.center = vec_cast<float>(light.position - view.eye);
+  area.normal = shading.travel;
+  area.radius = static_cast<float>(light.radius);
+  area.half_width = light.size.x * 0.5F;
+  area.half_height = light.size.y * 0.5F;
+  area.diffuse = shading.diffuse;
+  area.specular = shading.specular;
+  const Vec3d normal = vec_cast<double>(area.normal);
+  Vec3d x = light.x_axis.value_or(cross(Vec3d{0, 1, 0}, normal));
+  x = x - normal * dot(normal, x);
+  if (!(dot(x, x) > 1e-12 * dot(light.x_axis.value_or(Vec3d{1, 0, 0}), light.x_axis.value_or(Vec3d{1, 0, 0})))) {
+    x = cross(Vec3d{0, 0, 1}, normal);  // it faces up or down: any level edge will do
+  }
+  area.x_axis = unit_direction(x);
+  area.y_axis = vec_cast<float>(cross(normal, vec_cast<double>(area.x_axis)));
+  return area;
+}
+
+void add_light(PreparedScene& prepared, const Light& light, const TermSet& terms) {
+  if (!is_area(light.type)) {
+    prepared.lights.push_back(prepare_light(light, prepared.view, terms, prepared.transfer));
+    return;
+  }
+  ShadingLight shading = prepare_light(stand_in_of(light), prepared.view, terms, prepared.transfer);
+  prepared.area_lights.push_back(prepare_area(light, shading, static_cast<std::uint32_t>(prepared.lights.size()), prepared.view));
+  const float strength = strength_of_stand_in(light);
+  shading.diffuse = shading.diffuse * strength;
+  shading.specular = shading.specular * strength;
+  prepared.lights.push_back(shading);
+}
+
+Result<PreparedEnvironment> prepare_environment(const Environment& environment, Transfer transfer) {
+  PreparedEnvironment result;
+  result.visible = environment.visible;
+  result.cosine = static_cast<float>(cosine_deg(environment.rotation));
+  result.sine = static_cast<float>(sine_deg(environment.rotation));
+  result.picture = environment.picture;
+  result.color = environment.gain;
+  if (environment.picture == nullptr) {
+    result.color = linear_rgb(environment.color, transfer) * environment.gain;
+  } else if (const Image& picture = *environment.picture; picture.channels != 3 || picture.width < 1 || picture.height < 1) {
+    return fail(ErrorKind::usage, "environment",
+                fmt::format("its picture is {} x {} with {} channels, expected at least one pixel of three", picture.width, picture.height,
+                            picture.channels));
+  }
   return result;
 }
 
@@ -327,6 +407,7 @@ Result<PreparedScene> prepare(const Scene& scene) {
 Result<void> prepare(const Scene& scene, MeshCache& cache, int threads, PreparedScene& prepared) {
   prepared.instances.clear();
   prepared.lights.clear();
+  prepared.area_lights.clear();
   prepared.notes.clear();
   prepared.triangle_count = 0;
   if (auto checked = check_image(scene.image); !checked) {
@@ -360,7 +441,15 @@ Result<void> prepare(const Scene& scene, MeshCache& cache, int threads, Prepared
     prepared.stated_lights.assign(rig.begin(), rig.end());
   }
   for (const Light& light : prepared.stated_lights) {
-    prepared.lights.push_back(prepare_light(light, prepared.view, scene.shading.terms, prepared.transfer));
+    add_light(prepared, light, scene.shading.terms);
+  }
+  prepared.environment.reset();
+  if (scene.environment) {
+    auto environment = prepare_environment(*scene.environment, prepared.transfer);
+    if (!environment) {
+      return tl::unexpected(environment.error());
+    }
+    prepared.environment = *std::move(environment);
   }
   prepared.ambient = linear_rgb(scene.ambient, prepared.transfer);
   prepared.fog = scene.fog ? std::optional(prepare_fog(*scene.fog, prepared.transfer)) : std::nullopt;

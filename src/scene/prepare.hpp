@@ -54,6 +54,26 @@ using AlphaModes = std::uint8_t;
   return static_cast<AlphaModes>(1U << static_cast<unsigned>(mode));
 }
 
+/// A light with a size, as it is: the path tracer's. Relative to the eye.
+struct AreaLight {
+  LightType type = LightType::rectangle;
+  std::uint32_t light = 0;  ///< its place in PreparedScene::lights, where its stand-in is
+  Vec3f center;
+  Vec3f normal{0, 0, -1};                  ///< unit, of rectangle and disk: the side that shines
+  Vec3f x_axis{1, 0, 0}, y_axis{0, 1, 0};  ///< unit, of rectangle and disk, along the edges
+  float half_width = 0, half_height = 0;   ///< rectangle
+  float radius = 0;                        ///< disk and sphere
+  Vec3f diffuse, specular;                 ///< the radiance that diffuse surfaces and highlights see
+};
+
+/// The sky as it is: the path tracer's.
+struct PreparedEnvironment {
+  Vec3f color;                           ///< with the gain; of a picture the gain alone
+  std::shared_ptr<const Image> picture;  ///< RGB, linear, or null
+  float cosine = 1, sine = 0;            ///< of the rotation about +y
+  bool visible = true;
+};
+
 /// One object's mesh at its place.
 struct Instance {
   std::shared_ptr<const DrawableMesh> drawable;
@@ -87,9 +107,11 @@ struct PreparedScene {
   std::vector<ShadingMaterial> materials;
   std::vector<ShadingLight> lights;
   std::vector<Light> stated_lights;       ///< one each, the default rig included
+  std::vector<AreaLight> area_lights;     ///< those of them with a size, for which `lights` holds a stand-in without
   std::vector<std::string> object_names;  ///< one an object
   Vec3f ambient;
   std::optional<ShadingFog> fog;
+  std::optional<PreparedEnvironment> environment;
   std::array<float, 4> background{};  ///< linear, premultiplied
   std::uint32_t triangle_count = 0;
   Notes notes;

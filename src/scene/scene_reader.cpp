@@ -148,6 +148,28 @@ struct FromJson {
     return {};
   }
 
+  /// A picture or a colour.
+  Result<void> operator()(Environment& to) const {
+    if (value.is_string() && !is_color_text(value.get_ref<const std::string&>())) {
+      if (auto done = (*this)(to.file); !done) {
+        return done;
+      }
+      return to.file.empty() ? fail_at(path, "is empty, expected the name of a picture's file or a colour") : Result<void>{};
+    }
+    if (!value.is_object()) {
+      constexpr Range kColor{.lower = 0};
+      return FromJson{value, kColor, path, materials}(to.color);
+    }
+    if (value.contains("file") && value.contains("color")) {
+      return fail_at(path, "states both file and color, expected one of them");
+    }
+    if (auto read = read_table(value, to, path, materials); !read) {
+      return read;
+    }
+    return value.contains("file") && to.file.empty() ? fail_at(path / "file", "is empty, expected the name of a picture's file")
+                                                     : Result<void>{};
+  }
+
   /// A sphere has its picture, a cube its six.
   Result<void> operator()(StatedReflection& to) const {
     if (value.is_string()) {

@@ -109,6 +109,9 @@ Schema value_schema(const FieldInfo& field) {
     case ValueKind::text:
       return field.key == "mesh" || field.key == "file" ? mesh_schema() : text_schema();
     case ValueKind::table:
+      if (field.key == "environment") {
+        return {{"anyOf", Schema::array({mesh_schema(), reference("color"), reference(field.key)})}};
+      }
       return reference(field.key);
     case ValueKind::lights:
       return {{"type", "array"}, {"items", reference("light")}};
@@ -162,7 +165,7 @@ Schema table_schema(const FieldGroup& group) {
     Schema schema{{"description", description_of(field)}};
     schema.update(value_schema(field));
     properties[std::string(field.key)] = std::move(schema);
-    if (field.key == "objects" || field.key == "mesh" || field.key == "file") {
+    if (field.key == "objects" || field.key == "mesh" || (field.key == "file" && group.path != "environment")) {
       required.emplace_back(field.key);
     }
   }
@@ -210,6 +213,9 @@ std::string scene_schema() {
   // A falloff stands alone.
   definitions["attenuation"]["if"] = {{"required", {"falloff"}}};
   definitions["attenuation"]["then"]["properties"] = {{"constant", false}, {"linear", false}, {"quadratic", false}};
+  // A picture or a colour.
+  definitions["environment"]["if"] = {{"required", {"file"}}};
+  definitions["environment"]["then"]["properties"] = {{"color", false}};
   // A matrix stands in place of three keys; a sphere has one picture, a cube has six.
   definitions["texture"]["if"] = {{"required", {"matrix"}}};
   definitions["texture"]["then"]["properties"] = {{"offset", false}, {"scale", false}, {"rotation", false}};

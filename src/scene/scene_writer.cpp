@@ -148,13 +148,16 @@ struct ToJson {
   }
 };
 
-/// With a falloff the file has no place for the three other coefficients, with a matrix none for what it stands for.
+/// With a falloff the file has no place for the three other coefficients, with a matrix none for what it stands for, with a picture none for a
+/// colour.
 template <class T>
 bool is_left_out(const T& object, std::string_view key) {
   if constexpr (std::is_same_v<T, Attenuation>) {
     return object.falloff && (key == "constant" || key == "linear" || key == "quadratic");
   } else if constexpr (std::is_same_v<T, StatedTexture>) {
     return object.matrix && (key == "offset" || key == "scale" || key == "rotation");
+  } else if constexpr (std::is_same_v<T, Environment>) {
+    return !object.file.empty() && key == "color";
   } else {
     return false;
   }

@@ -155,6 +155,15 @@ Result<Vec3d> parse_vector(std::string_view text) {
   return Vec3d{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
 }
 
+Result<Vec2f> parse_pair(std::string_view text) {
+  constexpr std::string_view kExpected = "two numbers x,y";
+  const auto numbers = parse_numbers(text, 2, kExpected);
+  if (!numbers || numbers->size() != 2) {
+    return expected_but_found(kExpected, text);
+  }
+  return Vec2f{static_cast<float>((*numbers)[0]), static_cast<float>((*numbers)[1])};
+}
+
 Result<Mat4> parse_matrix(std::string_view text) {
   constexpr std::string_view kExpected = "16 numbers, row by row";
   const auto numbers = parse_numbers(text, 16, kExpected);

@@ -15,6 +15,8 @@ namespace lustro {
 [[nodiscard]] Result<double> parse_number(std::string_view text);
 /// `x,y,z`
 [[nodiscard]] Result<Vec3d> parse_vector(std::string_view text);
+/// `x,y`
+[[nodiscard]] Result<Vec2f> parse_pair(std::string_view text);
 /// 16 numbers, row-major.
 [[nodiscard]] Result<Mat4> parse_matrix(std::string_view text);
 

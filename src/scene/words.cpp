@@ -93,6 +93,9 @@ constexpr std::array kLightType{
     word(LightType::directional, "directional", "parallel light from far away, like the sun's"),
     word(LightType::point, "point", "light from one position in all directions"),
     word(LightType::spot, "spot", "light from one position into a cone"),
+    word(LightType::rectangle, "rectangle", "an area of two edges that shines from its front"),
+    word(LightType::disk, "disk", "a round area that shines from its front"),
+    word(LightType::sphere, "sphere", "a ball that shines all around"),
 };
 constexpr std::array kSpotFade{
     word(SpotFade::smoothstep, "smoothstep", "t^2 (3 - 2 t)"),

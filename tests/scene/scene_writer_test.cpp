@@ -36,6 +36,17 @@ class SceneMaker {
     if (coin()) {
       s.fog = Fog{word<FogMode>(3), std::abs(number()), -1 - std::abs(number()), std::abs(number()), color()};
     }
+    if (coin()) {
+      Environment& sky = s.environment.emplace();
+      if (coin()) {
+        sky.file = "sky \"1\".hdr";
+      } else {
+        sky.color = color();
+      }
+      sky.gain = coin() ? Vec3f{unit(), unit(), 1} : Vec3f{2, 2, 2};
+      sky.rotation = 720 * static_cast<double>(unit()) - 360;
+      sky.visible = coin();
+    }
     std::vector<Material> materials{material("red"),           material("red"),           material("jade"),          material(""),
                                     *library_material("gold"), *library_material("jade"), material("odd \"name\"\n")};
     materials.push_back(*library_material("ruby"));
@@ -123,7 +134,7 @@ class SceneMaker {
   }
   Light light() {
     Light l;
-    l.type = word<LightType>(3);
+    l.type = word<LightType>(6);
     l.name = text();
     l.position = vector();
     l.direction = {1 + static_cast<double>(unit()), number(), 0};
@@ -141,6 +152,11 @@ class SceneMaker {
       l.beam = 10 * static_cast<double>(unit());
     }
     l.exponent = 10000 * static_cast<double>(unit());
+    l.size = {0.1F + unit(), 0.1F + unit()};
+    if (coin()) {
+      l.x_axis = Vec3d{0, 0, -1 - static_cast<double>(unit())};
+    }
+    l.radius = 0.1 + static_cast<double>(unit());
     return l;
   }
   Material material(const std::string& name) {
@@ -158,6 +174,11 @@ class SceneMaker {
     if (coin()) {
       m.cull = word<Culling>(3);
     }
+    if (coin()) {
+      m.illumination = below(11);
+    }
+    m.refraction = 1 + unit();
+    m.transmission = color();
     m.alpha_mode = word<AlphaMode>(3);
     m.alpha_cutoff = unit();
     for (const auto slot : {&StatedTextures::diffuse, &StatedTextures::opacity, &StatedTextures::normal, &StatedTextures::displacement}) {

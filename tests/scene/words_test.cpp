@@ -36,7 +36,7 @@ TEST(Words, CoverEveryValueOfTheirEnum) {
   EXPECT_EQ(words_of<Transfer>().size(), 2U);
   EXPECT_EQ(words_of<Projection>().size(), 2U);
   EXPECT_EQ(words_of<ViewPreset>().size(), 8U);
-  EXPECT_EQ(words_of<LightType>().size(), 3U);
+  EXPECT_EQ(words_of<LightType>().size(), 6U);
   EXPECT_EQ(words_of<SpotFade>().size(), 2U);
   EXPECT_EQ(words_of<GltfShading>().size(), 2U);
   EXPECT_EQ(words_of<FogMode>().size(), 3U);

@@ -1,0 +1,133 @@
+// Embree 3, one ray at a time. The hierarchy is built by all cores, whatever the number of threads that follow paths: what a ray meets does not
+// depend on who asks.
+#include "path/rays.hpp"
+
+#include <utility>
+#include <vector>
+
+#ifdef LUSTRO_HAS_EMBREE
+#include <embree3/rtcore.h>
+#endif
+
+namespace lustro {
+
+#ifdef LUSTRO_HAS_EMBREE
+
+namespace {
+
+struct DeviceRelease {
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+};
+struct SceneRelease {
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+using Device = std::unique_ptr<RTCDeviceTy, DeviceRelease>;
+using EmbreeScene = std::unique_ptr<RTCSceneTy, SceneRelease>;
+
+void set_ray(RTCRay& to, const Ray& ray) {
+  to.org_x = ray.origin.x;
+  to.org_y = ray.origin.y;
+  to.org_z = ray.origin.z;
+  to.tnear = ray.nearest;
+  to.dir_x = ray.direction.x;
+  to.dir_y = ray.direction.y;
+  to.dir_z = ray.direction.z;
+  to.time = 0;
+  to.tfar = ray.farthest;
+  to.mask = 0xFFFFFFFFU;
+  to.id = 0;
+  to.flags = 0;
+}
+
+}  // namespace
+
+struct RayScene::State {
+  Device device;
+  EmbreeScene scene;
+};
+
+Result<RayScene> RayScene::make(const PreparedScene& scene) {
+  auto state = std::make_unique<State>();
+  state->device.reset(rtcNewDevice(nullptr));
+  const auto failed = [] { return fail(ErrorKind::limit, "", "Embree finds no memory for the scene's triangles"); };
+  if (state->device == nullptr) {
+    return fail(ErrorKind::unsupported, "--engine path", "Embree does not run on this machine");
+  }
+  state->scene.reset(rtcNewScene(state->device.get()));
+  rtcSetSceneFlags(state->scene.get(), RTC_SCENE_FLAG_ROBUST);  // no ray slips through between two triangles
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    const Mesh& mesh = *instance.mesh;
+    if (mesh.triangles.empty()) {
+      continue;
+    }
+    RTCGeometry geometry = rtcNewGeometry(state->device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* const positions = static_cast<Vec3f*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), mesh.positions.size()));
+    if (positions == nullptr) {
+      rtcReleaseGeometry(geometry);
+      return failed();
+    }
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+      positions[v] = instance.relative_from_object(mesh.positions[v]);
+    }
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0, sizeof(mesh.triangles[0]),
+                               mesh.triangles.size());
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(state->scene.get(), geometry, i);
+    rtcReleaseGeometry(geometry);
+  }
+  rtcCommitScene(state->scene.get());
+  if (rtcGetDeviceError(state->device.get()) != RTC_ERROR_NONE) {
+    return failed();
+  }
+  return RayScene(std::move(state));
+}
+
+bool RayScene::closest(const Ray& ray, RayHit& hit) const {
+  RTCIntersectContext context{};
+  rtcInitIntersectContext(&context);
+  RTCRayHit query{};
+  set_ray(query.ray, ray);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(state_->scene.get(), &context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
+    return false;
+  }
+  hit = {query.ray.tfar, query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v};
+  return true;
+}
+
+bool RayScene::is_blocked(const Ray& ray) const {
+  RTCIntersectContext context{};
+  rtcInitIntersectContext(&context);
+  RTCRay query{};
+  set_ray(query, ray);
+  rtcOccluded1(state_->scene.get(), &context, &query);
+  return query.tfar < 0;
+}
+
+#else
+
+struct RayScene::State {};
+
+Result<RayScene> RayScene::make(const PreparedScene& /*scene*/) {
+  return fail(ErrorKind::unsupported, "--engine path", "this build follows no paths: it was made without Embree");
+}
+
+bool RayScene::closest(const Ray& /*ray*/, RayHit& /*hit*/) const {
+  return false;
+}
+
+bool RayScene::is_blocked(const Ray& /*ray*/) const {
+  return false;
+}
+
+#endif
+
+RayScene::RayScene(std::unique_ptr<State> state) : state_(std::move(state)) {}
+RayScene::RayScene(RayScene&&) noexcept = default;
+RayScene& RayScene::operator=(RayScene&&) noexcept = default;
+RayScene::~RayScene() = default;
+
+}  // namespace lustro

@@ -1,0 +1,234 @@
+// See render.hpp. A pixel's samples are summed in their order by whoever draws its tile, in double precision: neither threads nor the length of
+// passes change its bits.
+#include "path/render.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+#include <vector>
+
+#include "parallel/parallel_for.hpp"
+#include "path/bsdf.hpp"
+#include "path/tracer.hpp"
+
+namespace lustro {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kTile = 16;             // pixels
+constexpr int kLongestPass = 16;      // samples a pixel
+constexpr int kLeastForAnError = 16;  // samples a pixel before the error is believed
+constexpr int kMostSamples = 1 << 20;
+constexpr int kMostBounces = 10000;
+
+// What a pixel has seen: sums, and sums of squares.
+struct PixelSums {
+  std::array<double, 3> color{};
+  std::array<double, 3> squares{};
+  double luminance_squares = 0;
+  double alpha = 0;
+  bool has_hit = false;
+};
+
+Result<void> check(const PathOptions& options) {
+  const auto outside = [](const char* flag, auto value, const char* range) {
+    return fail(ErrorKind::usage, flag, fmt::format("{} is not {}", value, range));
+  };
+  if (options.samples < 1 || options.samples > kMostSamples) {
+    return outside("--spp", options.samples, "1..1048576");
+  }
+  if (!(options.seconds >= 0) || !std::isfinite(options.seconds)) {
+    return outside("--seconds", options.seconds, "0 or more");
+  }
+  if (!(options.target_error >= 0) || !std::isfinite(options.target_error)) {
+    return outside("--target-error", options.target_error, "0 or more");
+  }
+  if (options.bounces < 0 || options.bounces > kMostBounces) {
+    return outside("--bounces", options.bounces, "0..10000");
+  }
+  return {};
+}
+
+void add(PixelSums& sums, const PathResult& path) {
+  const std::array<float, 3> seen{path.radiance.x, path.radiance.y, path.radiance.z};
+  sums.has_hit = sums.has_hit || path.has_hit;
+  sums.alpha += static_cast<double>(path.alpha);
+  if (!is_finite(path.radiance)) {
+    return;  // the square of a huge light: it counts as dark
+  }
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto value = static_cast<double>(seen[c]);
+    sums.color[c] += value;
+    sums.squares[c] += value * value;
+  }
+  const auto luminance = static_cast<double>(luminance_of(path.radiance));
+  sums.luminance_squares += luminance * luminance;
+}
+
+// Of the mean of n samples with this sum and sum of squares. Samples that are stratified vary less than this says, never more on the average.
+double variance_of_mean(double sum, double squares, int n) {
+  const double count = n;
+  return n > 1 ? std::max(squares - sum * (sum / count), 0.0) / (count * (count - 1)) : 0;
+}
+
+// The root mean square of the standard errors over the mean, of luminance.
+double error_of(std::span<const PixelSums> pixels, int samples) {
+  double variance = 0;
+  double sum = 0;
+  for (const PixelSums& pixel : pixels) {
+    const double luminance = (pixel.color[0] * 0.2126 + pixel.color[1] * 0.7152) + pixel.color[2] * 0.0722;
+    variance += variance_of_mean(luminance, pixel.luminance_squares, samples);
+    sum += luminance;
+  }
+  const auto count = static_cast<double>(pixels.size());
+  return sum > 0 ? std::sqrt(variance / count) / (sum / samples / count) : 0;
+}
+
+// What share of the work is done, told by whoever draws.
+class Meter {
+ public:
+  Meter(const RenderOptions& options, std::size_t tiles, Clock::time_point begin) : options_(options), tiles_(tiles), begin_(begin) {}
+
+  void begin_pass(int done, int samples, double error) {
+    before_ = share(done, error);
+    after_ = std::max(share(done + samples, 0), before_);
+    tiles_done_ = 0;
+  }
+  void step() {
+    if (!options_.progress) {
+      return;
+    }
+    const std::lock_guard lock(mutex_);
+    const double part = static_cast<double>(++tiles_done_) / static_cast<double>(tiles_);
+    double told = before_ + (after_ - before_) * part;
+    if (options_.path.seconds > 0) {
+      told = std::max(told, std::chrono::duration<double>(Clock::now() - begin_).count() / options_.path.seconds);
+    }
+    last_ = std::max(last_, std::min(told, 1.0));
+    options_.progress(last_);
+  }
+
+ private:
+  // The error falls with the root of the number of samples.
+  [[nodiscard]] double share(int samples, double error) const {
+    const double of_samples = static_cast<double>(samples) / options_.path.samples;
+    const double wanted = options_.path.target_error;
+    return std::min(1.0, wanted > 0 && error > 0 ? std::max(of_samples, wanted * wanted / (error * error)) : of_samples);
+  }
+
+  const RenderOptions& options_;
+  std::size_t tiles_;
+  Clock::time_point begin_;
+  double before_ = 0, after_ = 0, last_ = 0;
+  std::size_t tiles_done_ = 0;
+  std::mutex mutex_;
+};
+
+// One pass: samples first..first+count-1 of every pixel. Returns the rays that were shot.
+std::uint64_t draw_pass(const PathTracer& tracer, const View& view, int threads, int first, int count, std::span<PixelSums> pixels,
+                        Meter& meter) {
+  const auto tiles_x = static_cast<std::size_t>((view.width + kTile - 1) / kTile);
+  const auto tiles_y = static_cast<std::size_t>((view.height + kTile - 1) / kTile);
+  std::vector<std::uint64_t> rays(tiles_x * tiles_y);
+  parallel_for(rays.size(), threads, [&](std::size_t tile) {
+    const int left = static_cast<int>(tile % tiles_x) * kTile;
+    const int top = static_cast<int>(tile / tiles_x) * kTile;
+    std::uint64_t shot = 0;
+    for (int y = top; y < std::min(top + kTile, view.height); ++y) {
+      for (int x = left; x < std::min(left + kTile, view.width); ++x) {
+        PixelSums& sums = pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width) + static_cast<std::size_t>(x)];
+        for (int s = first; s < first + count; ++s) {
+          add(sums, tracer.follow(x, y, static_cast<std::uint32_t>(s), shot));
+        }
+      }
+    }
+    rays[tile] = shot;
+    meter.step();
+  });
+  std::uint64_t all = 0;
+  for (const std::uint64_t shot : rays) {
+    all += shot;
+  }
+  return all;
+}
+
+void store(std::span<const PixelSums> pixels, int samples, std::span<const Aov> aovs, Rendering& result) {
+  const double scale = 1.0 / samples;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const PixelSums& sums = pixels[i];
+    float* const out = result.color.pixels.data() + 4 * i;
+    for (std::size_t c = 0; c < 3; ++c) {
+      out[c] = static_cast<float>(sums.color[c] * scale);
+    }
+    out[3] = static_cast<float>(sums.alpha * scale);
+    result.stats.pixels_covered += sums.has_hit ? 1 : 0;
+  }
+  for (std::size_t a = 0; a < aovs.size(); ++a) {
+    if (aovs[a].kind != AovKind::variance) {
+      continue;
+    }
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        result.layers[a].image.pixels[3 * i + c] = static_cast<float>(variance_of_mean(pixels[i].color[c], pixels[i].squares[c], samples));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Result<void> render_path(const PreparedScene& scene, std::span<const Aov> aovs, const RenderOptions& options, Rendering& result) {
+  const auto begin = Clock::now();
+  const PathOptions& path = options.path;
+  if (auto checked = check(path); !checked) {
+    return checked;
+  }
+  auto rays = RayScene::make(scene);  // path/rays.cpp
+  if (!rays) {
+    return tl::unexpected(rays.error());
+  }
+  const PathTracer tracer(scene, *rays, path);  // path/tracer.cpp
+  const View& view = scene.view;
+  std::vector<PixelSums> pixels(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
+  const auto tiles = static_cast<std::size_t>((view.width + kTile - 1) / kTile) * static_cast<std::size_t>((view.height + kTile - 1) / kTile);
+  Meter meter(options, tiles, begin);
+  result.stats = {.triangles = scene.triangle_count};
+  const auto drawing = Clock::now();
+  const auto seconds_since = [](Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); };
+
+  int done = 0;
+  double error = 0;
+  const auto is_done = [&] {
+    return done >= path.samples || (path.seconds > 0 && done > 0 && seconds_since(begin) >= path.seconds) ||
+           (path.target_error > 0 && done >= kLeastForAnError && error <= path.target_error);
+  };
+  while (!is_done()) {
+    int count = std::min(path.samples - done, kLongestPass);
+    if (path.seconds > 0) {  // what still fits, after a first look at one sample
+      const double each = done > 0 ? seconds_since(drawing) / done : 0;
+      const double left = path.seconds - seconds_since(begin);
+      count = done == 0 ? 1 : std::clamp(static_cast<int>(std::min(left / std::max(each, 1e-9), 1e6)), 1, count);
+    }
+    meter.begin_pass(done, count, error);
+    result.stats.rays += draw_pass(tracer, view, options.threads, done, count, pixels, meter);
+    done += count;
+    error = done >= kLeastForAnError || done >= path.samples ? error_of(pixels, done) : 0;
+  }
+  result.stats.samples = done;
+  result.stats.error = error_of(pixels, done);
+  result.times.visibility = 0;
+  result.times.shading = seconds_since(drawing) * 1000;
+  result.color = Image(view.width, view.height, 4);
+  store(pixels, done, aovs, result);
+  if (options.store_bytes) {
+    result.bytes = to_bytes(result.color, scene.transfer);
+  }
+  return {};
+}
+
+}  // namespace lustro
