@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <span>
+#include <vector>
 
 #include "image/decode_texture.hpp"
 #include "io/gltf_uri.hpp"
 #include "io/text.hpp"
+#include "parallel/parallel_for.hpp"
 
 namespace lustro {
 namespace {
@@ -45,6 +48,33 @@ Result<std::shared_ptr<const Texture>> read_texture(const GltfFile& file, const 
   return texture;
 }
 
+/// GltfPicture::lowest and highest.
+void set_range(GltfPicture& picture, int threads) {
+  const Texture& texture = *picture.texture;
+  using Texel = std::array<float, 4>;
+  std::vector<std::array<Texel, 2>> rows(static_cast<std::size_t>(texture.height()));
+  const auto widen = [](std::array<Texel, 2>& range, const Texel& low, const Texel& high) {
+    for (std::size_t c = 0; c < 4; ++c) {
+      range[0][c] = std::min(range[0][c], low[c]);
+      range[1][c] = std::max(range[1][c], high[c]);
+    }
+  };
+  parallel_for(rows.size(), threads, [&](std::size_t y) {
+    const Texel first = texture.texel(0, 0, static_cast<int>(y));
+    std::array<Texel, 2> range{first, first};
+    for (int x = 1; x < texture.width(); ++x) {
+      const Texel texel = texture.texel(0, x, static_cast<int>(y));
+      widen(range, texel, texel);
+    }
+    rows[y] = range;
+  });
+  for (const auto& row : rows) {
+    widen(rows[0], row[0], row[1]);
+  }
+  picture.lowest = rows[0][0];
+  picture.highest = rows[0][1];
+}
+
 }  // namespace
 
 std::string picture_name(const GltfDocument& document, std::uint32_t image) {
@@ -66,16 +96,7 @@ GltfPicture read_gltf_picture(const GltfFile& file, const GltfTextures::PictureK
     return picture;
   }
   picture.texture = *std::move(texture);
-  picture.lowest = picture.highest = picture.texture->texel(0, 0, 0);
-  for (int y = 0; y < picture.texture->height(); ++y) {
-    for (int x = 0; x < picture.texture->width(); ++x) {
-      const std::array<float, 4> texel = picture.texture->texel(0, x, y);
-      for (std::size_t i = 0; i < 4; ++i) {
-        picture.lowest[i] = std::min(picture.lowest[i], texel[i]);
-        picture.highest[i] = std::max(picture.highest[i], texel[i]);
-      }
-    }
-  }
+  set_range(picture, threads);
   return picture;
 }
 
