@@ -10,6 +10,7 @@ namespace lustro::app {
 [[nodiscard]] Command make_explain(CommandLine& line, Session& session);
 [[nodiscard]] Command make_compare(CommandLine& line, Session& session);
 [[nodiscard]] Command make_hash(CommandLine& line, Session& session);
+[[nodiscard]] Command make_truth(CommandLine& line, Session& session);
 [[nodiscard]] Command make_turntable(CommandLine& line, Session& session);
 [[nodiscard]] Command make_convert(CommandLine& line, Session& session);
 [[nodiscard]] Command make_batch(CommandLine& line, Session& session);

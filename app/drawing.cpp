@@ -15,6 +15,7 @@
 namespace lustro::app {
 namespace {
 
+constexpr int kMostSamples = 1048576;
 constexpr const char* kTargetVariable = "LUSTRO_TARGET";
 constexpr std::string_view kAllowEmptyHint = "(--allow-empty writes the picture all the same)";
 
@@ -66,32 +67,32 @@ std::string flag_of_key(std::string_view key, const SceneFlags& flags) {
   return {};
 }
 
-void add_path_flags(CLI::App& app, DrawFlags& flags) {
-  const std::string paths = "Paths (with --engine path)";
-  flags.spp = app.add_option("--spp", flags.path.samples, "Paths a pixel, at most (default: 64, or 1048576 with --seconds or --target-error)")
-                  ->type_name("N")
-                  ->check(CLI::Range(1, 1048576))
-                  ->group(paths);
-  const auto add = [&](CLI::Option* option, const char* type) {
-    option->type_name(type)->group(paths);
-    flags.path_options.push_back(option);
-    return option;
-  };
-  flags.path_options.push_back(flags.spp);
-  add(app.add_option("--seconds", flags.path.seconds, "Stops after the pass over the picture in which this time is over"), "S")
-      ->check(CLI::PositiveNumber);
-  add(app.add_option("--target-error", flags.path.target_error,
-                     "Stops when the pixels' standard error, as a share of the picture's mean luminance, is at most this"),
-      "E")
-      ->check(CLI::PositiveNumber);
-  add(app.add_option("--bounces", flags.path.bounces,
-                     "Surfaces that a path meets at most; 1 is direct light, as the local model has it, with shadows (default: 16)"),
-      "N")
-      ->check(CLI::Range(0, 10000));
-  add(app.add_option("--seed", flags.path.seed, "Another number draws another noise (default: 0)"), "N");
+}  // namespace
+
+std::vector<const CLI::Option*> add_path_flags(CLI::App& app, PathOptions& path, const std::string& group) {
+  const auto add = [&](CLI::Option* option, const char* type) { return option->type_name(type)->group(group); };
+  return {add(app.add_option("--spp", path.samples,
+                             fmt::format("Paths a pixel, at most (default: {}, or 1048576 with --seconds or --target-error)", path.samples)),
+              "N")
+              ->check(CLI::Range(1, kMostSamples)),
+          add(app.add_option("--seconds", path.seconds, "Stops after the pass over the picture in which this time is over"), "S")
+              ->check(CLI::PositiveNumber),
+          add(app.add_option("--target-error", path.target_error,
+                             "Stops when the pixels' standard error, as a share of the picture's mean luminance, is at most this"),
+              "E")
+              ->check(CLI::PositiveNumber),
+          add(app.add_option("--bounces", path.bounces,
+                             "Surfaces that a path meets at most; 1 is direct light, as the local model has it, with shadows (default: 16)"),
+              "N")
+              ->check(CLI::Range(0, 10000)),
+          add(app.add_option("--seed", path.seed, "Another number draws another noise (default: 0)"), "N")};
 }
 
-}  // namespace
+void settle_samples(const std::vector<const CLI::Option*>& path_flags, PathOptions& path) {
+  if (!path_flags.empty() && path_flags.front()->count() == 0 && (path.seconds > 0 || path.target_error > 0)) {
+    path.samples = kMostSamples;
+  }
+}
 
 void add_draw_flags(CLI::App& app, DrawFlags& flags, SceneFlags& scene_flags, bool with_paths) {
   one_of(app.add_option(
@@ -101,7 +102,7 @@ void add_draw_flags(CLI::App& app, DrawFlags& flags, SceneFlags& scene_flags, bo
          {"raster", "reference", "path"})
       ->group("Drawing");
   if (with_paths) {
-    add_path_flags(app, flags);
+    flags.path_flags = add_path_flags(app, flags.path, "Paths (with --engine path)");
   }
   const auto target = std::find_if(scene_flags.flags.begin(), scene_flags.flags.end(), [](const auto& flag) { return flag.name == "--target"; });
   target->option->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args(false);  // one of each kind
@@ -116,15 +117,13 @@ void add_draw_flags(CLI::App& app, DrawFlags& flags, SceneFlags& scene_flags, bo
 Result<RenderOptions> render_options(const Session& session, const DrawFlags& flags) {
   RenderOptions options{.threads = session.threads, .aovs = {}};
   options.engine = flags.engine == "path" ? Engine::path : flags.engine == "reference" ? Engine::reference : Engine::raster;
-  for (const CLI::Option* option : flags.path_options) {
+  for (const CLI::Option* option : flags.path_flags) {
     if (options.engine != Engine::path && option->count() > 0) {
       return fail(ErrorKind::usage, option->get_name(), "belongs to --engine path");
     }
   }
   options.path = flags.path;
-  if (flags.spp != nullptr && flags.spp->count() == 0 && (options.path.seconds > 0 || options.path.target_error > 0)) {
-    options.path.samples = 1048576;
-  }
+  settle_samples(flags.path_flags, options.path);
   const Result<NamedTarget> named = named_target(flags);
   if (!named) {
     return tl::unexpected(named.error());

@@ -16,9 +16,14 @@ struct DrawFlags {
   std::string engine = "raster";
   const CLI::Option* target = nullptr;
   PathOptions path;  ///< `--spp`, `--seconds`, ...
-  const CLI::Option* spp = nullptr;
-  std::vector<const CLI::Option*> path_options;
+  std::vector<const CLI::Option*> path_flags;
 };
+
+/// `--spp`, `--seconds`, `--target-error`, `--bounces`, `--seed`, in this order. What `path` holds is the default.
+std::vector<const CLI::Option*> add_path_flags(CLI::App& app, PathOptions& path, const std::string& group);
+
+/// Where a time or an error is stated and no number of paths, there is no other limit.
+void settle_samples(const std::vector<const CLI::Option*>& path_flags, PathOptions& path);
 
 /// Adds the flags. `--target` is the camera's as well: `--target 0,1,0` is a point, `--target avx2` a target to draw with.
 ///

@@ -17,6 +17,7 @@ constexpr std::array kCommands{
     CommandMaker{"render", make_render},            // commands/render.cpp       a scene or a mesh to a picture
     CommandMaker{"info", make_info},                // commands/info.cpp         what a file holds
     CommandMaker{"explain", make_explain},          // commands/explain.cpp      one pixel taken apart
+    CommandMaker{"truth", make_truth},              // commands/truth.cpp        what the local model costs
     CommandMaker{"compare", make_compare},          // commands/compare.cpp      how two pictures differ
     CommandMaker{"convert", make_convert},          // commands/convert.cpp      a mesh or a scene to a mesh file of another format
     CommandMaker{"batch", make_batch},              // commands/batch.cpp        many models to a folder of pictures
