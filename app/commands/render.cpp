@@ -50,6 +50,9 @@ Json render_json(const RenderFlags& flags, const Scene& scene, const Rendering& 
             {"triangles", rendering.stats.triangles},
             {"pixels_covered", rendering.stats.pixels_covered},
             {"notes", json_notes(notes)}};
+  if (rendering.stats.samples > 0) {
+    json["paths"] = {{"samples", rendering.stats.samples}, {"rays", rendering.stats.rays}, {"error", rendering.stats.error}};
+  }
   if (hash) {
     json["hash"] = hash_text(*hash);
   }
@@ -59,13 +62,15 @@ Json render_json(const RenderFlags& flags, const Scene& scene, const Rendering& 
 /// A line for each picture, and one for all their layers.
 void say_what_was_written(const Session& session, const std::vector<std::string>& outputs, const std::vector<std::string>& written,
                           const ImageSettings& image, const Rendering& rendering, double seconds) {
+  const RenderStats& stats = rendering.stats;
+  const std::string paths = stats.samples > 0 ? fmt::format(", {} paths a pixel, error {:.2g} %", stats.samples, stats.error * 100) : "";
   std::string layers;
   for (const std::string& file : written) {
     if (std::find(outputs.begin(), outputs.end(), file) == outputs.end()) {
       layers += (layers.empty() ? "" : ", ") + file;
     } else if (file != kStdout) {
-      say(session, fmt::format("wrote {} ({} x {}, {}, {:.2f} s)", file, image.width, image.height,
-                               counted(rendering.stats.triangles, "triangle", "triangles"), seconds));
+      say(session, fmt::format("wrote {} ({} x {}, {}{}, {:.2f} s)", file, image.width, image.height,
+                               counted(rendering.stats.triangles, "triangle", "triangles"), paths, seconds));
     }
   }
   if (!layers.empty()) {
@@ -178,6 +183,7 @@ Command make_render(CommandLine& line, Session& session) {
           {{"lustro render bunny.ply --material jade --view front -o jade.png", "a mesh in a classic material, from the front"},
            {"lustro render scene.json --size 1920x1080 --samples 16 -o big.png", "a scene, larger and smoother than its file says"},
            {"lustro render primitive:teapot --interpolation flat --light \"point 2,3,4 color=#fff\" -o facets.png", "one lamp, facets shown"},
+           {"lustro render scene.json --engine path --seconds 20 -o truth.png", "light from surface to surface, for 20 seconds"},
            {"lustro render scene.json --aov depth,normal,diffuse,light:0 -o out.exr -o out.png", "layers, to compute with and to look at"}},
           [&session, flags] { return run_render(session, *flags); }};
 }

@@ -130,7 +130,8 @@ Vec3f Bsdf::sample_lobe(const Vec2f& u) const {
     return Frame3(normalize(reflect_about(s.normal, s.to_eye))).world(sample_power_cosine(n, u));
   }
   const Vec3f local = lighting_ == Lighting::ggx ? sample_ggx_normal(alpha2_of(n), u) : sample_power_cosine(n, u);
-  return reflect_about(Frame3(s.normal).world(local), s.to_eye);
+  const Vec3f half = Frame3(s.normal).world(local);
+  return dot(half, s.to_eye) > 0 ? reflect_about(half, s.to_eye) : Vec3f{};  // one that faces away mirrors nothing
 }
 
 ScatterSample Bsdf::sample_rough(const Vec3f& direction) const {
@@ -174,7 +175,8 @@ ScatterSample Bsdf::sample(float choice, const Vec2f& u) const {
   }
   choice -= cosine_share_;
   if (choice < lobe_share_) {
-    return sample_rough(normalize(sample_lobe(u)));
+    const Vec3f direction = sample_lobe(u);
+    return direction == Vec3f{} ? ScatterSample{} : sample_rough(normalize(direction));
   }
   choice -= lobe_share_;
   if (choice < mirror_share_) {

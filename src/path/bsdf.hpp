@@ -48,7 +48,7 @@ class Bsdf {
 
  private:
   [[nodiscard]] float lobe_density(const Vec3f& to_light) const;
-  [[nodiscard]] Vec3f sample_lobe(const Vec2f& u) const;
+  [[nodiscard]] Vec3f sample_lobe(const Vec2f& u) const;  // 0: nothing
   [[nodiscard]] ScatterSample sample_rough(const Vec3f& direction) const;
   [[nodiscard]] ScatterSample sample_mirror() const;
   [[nodiscard]] ScatterSample sample_refraction() const;

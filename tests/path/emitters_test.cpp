@@ -1,0 +1,109 @@
+// Lights with a size as samplers: directions by their densities, and one density whichever way it is asked for.
+#include "path/emitters.hpp"
+
+#include <algorithm>
+
+#include "chi_square.hpp"
+#include "path_testing.hpp"
+
+namespace lustro {
+namespace {
+
+PreparedScene prepared(Scene scene) {
+  if (scene.objects.empty()) {
+    scene.objects.push_back(object(square(0.01F), lambert(0)));
+  }
+  return prepare(scene).value();
+}
+
+Light area(LightType type) {
+  Light light;
+  light.type = type;
+  light.position = {0.3, 0.2, 1};
+  light.direction = {-0.2, 0.1, -1};
+  light.size = {1.5F, 1};
+  light.radius = 0.6;
+  return light;
+}
+
+TEST(Emitters, DirectionsToLightsFallAsTheirDensitySays) {
+  for (const LightType type : {LightType::rectangle, LightType::disk, LightType::sphere}) {
+    Scene scene = look({0, 0, 5}, 1);
+    scene.lights->push_back(area(type));
+    const PreparedScene ready = prepared(scene);
+    const Emitters emitters(ready);
+    const Vec3f position{0.1F, -0.1F, -5};  // relative to the eye
+    constexpr float kFar = 1e30F;
+    expect_distribution(
+        [&](const Vec2f& u) {
+          const EmitterSample sample = emitters.sample(position, 0.5F, u);
+          EXPECT_GT(sample.density, 0);
+          const auto met = emitters.meets_area(0, position, sample.to_light, kFar);
+          if (met) {  // but at the very edge
+            EXPECT_NEAR(met->density, sample.density, 1e-3F * sample.density);
+          }
+          return sample.to_light;
+        },
+        [&](const Vec3f& d) {
+          const auto met = emitters.meets_area(0, position, d, kFar);
+          return met ? static_cast<double>(met->density) : 0.0;
+        },
+        "light " + std::to_string(static_cast<int>(type)));
+  }
+}
+
+TEST(Emitters, EmittingTrianglesAreFoundByTheirPower) {
+  Scene scene = look({0, 0, 5}, 1);
+  Material dim = lambert(0);
+  dim.emission = gray(1);
+  Material bright = lambert(0);
+  bright.emission = gray(5);
+  scene.objects.push_back(object(square(0.5F), dim, moved(-1, 0, 1)));
+  scene.objects.push_back(object(square(0.4F), bright, moved(1, 0.3, 1)));
+  scene.objects.push_back(object(square(0.4F), lambert(1), moved(0, 0, -1)));
+  const PreparedScene ready = prepared(scene);
+  const Emitters emitters(ready);
+  auto rays = RayScene::make(ready);
+  if (!rays) {
+    GTEST_SKIP() << rays.error().text();
+  }
+  const Vec3f position{0, 0, -5};
+  Uniform choice(3);
+  expect_distribution([&](const Vec2f& u) { return emitters.sample(position, choice.one(), u).to_light; },
+                      [&](const Vec3f& d) {
+                        RayHit hit;
+                        if (!rays->closest({position, d, 0.01F}, hit) || hit.instance == 2) {
+                          return 0.0;
+                        }
+                        return static_cast<double>(emitters.density_of(place_of(ready, hit, d, true), position));
+                      },
+                      "triangles", 50000);
+  EXPECT_FALSE(emitters.is_empty());
+  EXPECT_EQ(emitters.sky(), nullptr);
+}
+
+TEST(Emitters, WhatHasNoLightIsEmpty) {
+  const PreparedScene ready = prepared(look({0, 0, 5}, 1));
+  EXPECT_TRUE(Emitters(ready).is_empty());
+  Scene scene = look({0, 0, 5}, 1);
+  scene.environment = white_sky(0);
+  const PreparedScene dark = prepared(scene);
+  EXPECT_TRUE(Emitters(dark).is_empty());
+}
+
+TEST(Emitters, ALightIsMetFromItsFrontBeforeWhatStandsBehindIt) {
+  Scene scene = look({0, 0, 5}, 1);
+  scene.lights->push_back(area(LightType::disk));
+  const PreparedScene ready = prepared(scene);
+  const Emitters emitters(ready);
+  const Vec3f center = ready.area_lights[0].center;
+  const Vec3f before = center + ready.area_lights[0].normal * 2.0F;
+  const Vec3f behind = center - ready.area_lights[0].normal * 2.0F;
+  EXPECT_TRUE(emitters.meets_area(0, before, -ready.area_lights[0].normal, 2.1F));
+  EXPECT_FALSE(emitters.meets_area(0, before, -ready.area_lights[0].normal, 1.9F)) << "something stands before it";
+  EXPECT_FALSE(emitters.meets_area(0, behind, ready.area_lights[0].normal, 9));
+  EXPECT_FALSE(emitters.meets_area(0, before, ready.area_lights[0].normal, 9));
+}
+
+}  // namespace
+}  // namespace lustro
