@@ -1,0 +1,93 @@
+// `lustro render --engine path`: its flags, what it says, and how it fails.
+#include <gmock/gmock.h>
+
+#include "app/run_command.hpp"
+#include "app/scenes.hpp"
+#include "lustro/image.hpp"
+
+namespace {
+
+using namespace lustro::testing;
+using ::testing::HasSubstr;
+
+class PathCommand : public CommandTest {
+ protected:
+  void SetUp() override {
+    write_text(work() / "square.obj", square_obj());
+    write_text(work() / "scene.json", square_scene());
+    const Outcome outcome = lustro({"render", "scene.json", "--engine", "path", "--spp", "1", "-o", "probe.png"});
+    if (outcome.code != 0 && outcome.err.find("without Embree") != std::string::npos) {
+      GTEST_SKIP() << "this build follows no paths";
+    }
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+  }
+  [[nodiscard]] lustro::Image picture(const std::string& file) const { return lustro::read_image(work() / file).value(); }
+};
+
+TEST_F(PathCommand, SaysHowManyPathsItFollowedAndHowSureItIs) {
+  const Outcome outcome =
+      lustro({"render", "scene.json", "--engine", "path", "--spp", "4", "--json", "-o", "out.exr", "--aov", "variance,depth"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("4 paths a pixel, error "));
+  EXPECT_THAT(outcome.out, HasSubstr("\"samples\": 4"));
+  EXPECT_THAT(outcome.out, HasSubstr("\"rays\": "));
+  EXPECT_EQ(picture("out.exr").width, 32);
+}
+
+TEST_F(PathCommand, StopsByTimeAndByError) {
+  EXPECT_THAT(lustro({"render", "scene.json", "--engine", "path", "--seconds", "0.01", "-o", "out.png"}).err, HasSubstr(" paths a pixel"));
+  EXPECT_THAT(lustro({"render", "scene.json", "--engine", "path", "--target-error", "0.5", "-o", "out.png"}).err, HasSubstr("16 paths a pixel"));
+}
+
+TEST_F(PathCommand, AnotherSeedDrawsAnotherNoise) {
+  const auto hash = [&](const char* seed) {
+    EXPECT_EQ(lustro({"render", "scene.json", "--engine", "path", "--spp", "1", "--seed", seed, "--environment", "#fff", "-o", "out.exr"}).code,
+              0);
+    return lustro::hash_image(picture("out.exr"));
+  };
+  EXPECT_EQ(hash("1"), hash("1"));
+  EXPECT_NE(hash("1"), hash("2"));
+}
+
+TEST_F(PathCommand, AnEnvironmentIsAColourOrAFileFromWhereTheCommandIsTyped) {
+  lustro::Image sky(2, 1, 3);
+  sky.pixels = {0, 0, 8, 0, 0, 8};
+  std::filesystem::create_directories(work() / "skies");
+  ASSERT_TRUE(lustro::write_image(work() / "skies/blue.pfm", sky));
+  std::filesystem::create_directories(work() / "scenes");
+  write_text(work() / "scenes/scene.json", square_scene());
+  write_text(work() / "scenes/square.obj", square_obj());
+  for (const char* const value : {"skies/blue.pfm", "0,0,8"}) {
+    const Outcome outcome = lustro({"render", "scenes/scene.json", "--engine", "path", "--spp", "2", "--environment", value, "-o", "out.exr"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(picture("out.exr").at(0, 0)[2], 8) << value;
+  }
+  const Outcome missing = lustro({"render", "scene.json", "--environment", "no.hdr", "-o", "out.png"});
+  EXPECT_NE(missing.code, 0);
+  EXPECT_THAT(missing.err, HasSubstr("--environment: no.hdr"));
+}
+
+TEST_F(PathCommand, TheSceneFileNamesItsSky) {
+  lustro::Image sky(2, 1, 3);
+  sky.pixels = {0, 4, 0, 0, 4, 0};
+  ASSERT_TRUE(lustro::write_image(work() / "green.pfm", sky));
+  write_text(work() / "sky.json", square_scene(R"(, "environment": {"file": "green.pfm", "gain": 0.5})"));
+  Outcome outcome = lustro({"render", "sky.json", "--engine", "path", "--spp", "2", "-o", "out.exr"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(picture("out.exr").at(0, 0)[1], 2);
+  outcome = lustro({"render", "sky.json", "-o", "out.png"});
+  EXPECT_THAT(outcome.err, HasSubstr("environment"));
+  write_text(work() / "sky.json", square_scene(R"(, "environment": "none.hdr")"));
+  EXPECT_THAT(lustro({"render", "sky.json", "-o", "out.png"}).err, HasSubstr("environment.file: the picture "));
+}
+
+TEST_F(PathCommand, ItsFlagsBelongToIt) {
+  for (const char* const flag : {"--spp", "--seconds", "--target-error", "--bounces", "--seed"}) {
+    EXPECT_THAT(lustro({"render", "scene.json", flag, "1", "-o", "out.png"}).err, HasSubstr(std::string(flag) + ": belongs to --engine path"));
+  }
+  EXPECT_THAT(lustro({"render", "scene.json", "--engine", "path", "--spp", "0", "-o", "out.png"}).err, HasSubstr("--spp"));
+  EXPECT_THAT(lustro({"render", "scene.json", "--engine", "path", "--spp", "1", "--aov", "diffuse", "-o", "out.exr"}).err,
+              HasSubstr("the layer diffuse is a part of the local model's sum"));
+}
+
+}  // namespace
