@@ -69,23 +69,35 @@ std::string flag_of_key(std::string_view key, const SceneFlags& flags) {
 
 }  // namespace
 
-std::vector<const CLI::Option*> add_path_flags(CLI::App& app, PathOptions& path, const std::string& group) {
-  const auto add = [&](CLI::Option* option, const char* type) { return option->type_name(type)->group(group); };
-  return {add(app.add_option("--spp", path.samples,
-                             fmt::format("Paths a pixel, at most (default: {}, or 1048576 with --seconds or --target-error)", path.samples)),
-              "N")
-              ->check(CLI::Range(1, kMostSamples)),
-          add(app.add_option("--seconds", path.seconds, "Stops after the pass over the picture in which this time is over"), "S")
-              ->check(CLI::PositiveNumber),
-          add(app.add_option("--target-error", path.target_error,
-                             "Stops when the pixels' standard error, as a share of the picture's mean luminance, is at most this"),
-              "E")
-              ->check(CLI::PositiveNumber),
-          add(app.add_option("--bounces", path.bounces,
-                             "Surfaces that a path meets at most; 1 is direct light, as the local model has it, with shadows (default: 16)"),
-              "N")
-              ->check(CLI::Range(0, 10000)),
-          add(app.add_option("--seed", path.seed, "Another number draws another noise (default: 0)"), "N")};
+std::vector<const CLI::Option*> add_path_flags(CLI::App& app, PathOptions& path, const std::string& group, PathFlags which) {
+  std::vector<const CLI::Option*> flags;
+  const auto add = [&](CLI::Option* option, const char* type) {
+    flags.push_back(option->type_name(type)->group(group));
+    return option;
+  };
+  if (which == PathFlags::none) {
+    return flags;
+  }
+  const bool has_seconds = which == PathFlags::all;
+  add(app.add_option("--spp", path.samples,
+                     fmt::format("Paths a pixel, at most (default: {}, or {} with {}--target-error)", path.samples, kMostSamples,
+                                 has_seconds ? "--seconds or " : "")),
+      "N")
+      ->check(CLI::Range(1, kMostSamples));
+  if (has_seconds) {
+    add(app.add_option("--seconds", path.seconds, "Stops after the pass over the picture in which this time is over"), "S")
+        ->check(CLI::PositiveNumber);
+  }
+  add(app.add_option("--target-error", path.target_error,
+                     "Stops when the pixels' standard error, as a share of the picture's mean luminance, is at most this"),
+      "E")
+      ->check(CLI::PositiveNumber);
+  add(app.add_option("--bounces", path.bounces,
+                     "Surfaces that a path meets at most; 1 is direct light, as the local model has it, with shadows (default: 16)"),
+      "N")
+      ->check(CLI::Range(0, 10000));
+  add(app.add_option("--seed", path.seed, "Another number draws another noise (default: 0)"), "N");
+  return flags;
 }
 
 void settle_samples(const std::vector<const CLI::Option*>& path_flags, PathOptions& path) {
@@ -94,16 +106,14 @@ void settle_samples(const std::vector<const CLI::Option*>& path_flags, PathOptio
   }
 }
 
-void add_draw_flags(CLI::App& app, DrawFlags& flags, SceneFlags& scene_flags, bool with_paths) {
+void add_draw_flags(CLI::App& app, DrawFlags& flags, SceneFlags& scene_flags, PathFlags paths) {
   one_of(app.add_option(
              "--engine", flags.engine,
              "Who draws: raster is fast, reference is slow and obvious, and both give the same picture; path follows light from surface to "
              "surface, which they approximate (default: raster)"),
          {"raster", "reference", "path"})
       ->group("Drawing");
-  if (with_paths) {
-    flags.path_flags = add_path_flags(app, flags.path, "Paths (with --engine path)");
-  }
+  flags.path_flags = add_path_flags(app, flags.path, "Paths (with --engine path)", paths);
   const auto target = std::find_if(scene_flags.flags.begin(), scene_flags.flags.end(), [](const auto& flag) { return flag.name == "--target"; });
   target->option->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args(false);  // one of each kind
   target->option->type_name("X,Y,Z|auto|scalar|sse4|avx2|avx512|neon|wasm");

@@ -19,16 +19,19 @@ struct DrawFlags {
   std::vector<const CLI::Option*> path_flags;
 };
 
-/// `--spp`, `--seconds`, `--target-error`, `--bounces`, `--seed`, in this order. What `path` holds is the default.
-std::vector<const CLI::Option*> add_path_flags(CLI::App& app, PathOptions& path, const std::string& group);
+/// Which of the flags of paths a command has: `--seconds` means something else to those that measure time themselves.
+enum class PathFlags { none, all, without_seconds };
+
+/// `--spp`, `--target-error`, `--bounces`, `--seed` and, with all, `--seconds`; `--spp` first. What `path` holds is the default.
+std::vector<const CLI::Option*> add_path_flags(CLI::App& app, PathOptions& path, const std::string& group, PathFlags which = PathFlags::all);
 
 /// Where a time or an error is stated and no number of paths, there is no other limit.
 void settle_samples(const std::vector<const CLI::Option*>& path_flags, PathOptions& path);
 
 /// Adds the flags. `--target` is the camera's as well: `--target 0,1,0` is a point, `--target avx2` a target to draw with.
 ///
-/// with_paths  also those that say how long paths are followed
-void add_draw_flags(CLI::App& app, DrawFlags& flags, SceneFlags& scene_flags, bool with_paths = true);
+/// paths  which of those that say how long paths are followed
+void add_draw_flags(CLI::App& app, DrawFlags& flags, SceneFlags& scene_flags, PathFlags paths = PathFlags::all);
 
 /// What the flags ask for, with the session's threads.
 /// errors  usage for an unknown target, unsupported for one that this machine lacks; `where` is the flag, or the variable of the environment

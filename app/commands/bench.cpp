@@ -139,7 +139,7 @@ Command make_bench(CommandLine& line, Session& session) {
       ->group(group);
   app->add_option("--warmup", flags->warmup, "Pictures to draw before those that count (default: 3)")->type_name("N")->group(group);
   flags->scene_flags = add_scene_flags(*app);
-  add_draw_flags(*app, flags->draw_flags, flags->scene_flags, false);
+  add_draw_flags(*app, flags->draw_flags, flags->scene_flags, PathFlags::none);
   add_input_flags(*app, flags->input);
   return {app,
           {{"lustro bench bunny.ply --size 1920x1080 --samples 1", "median and best of 60 frames"},

@@ -215,7 +215,7 @@ Command make_turntable(CommandLine& line, Session& session) {
       {"object", "camera"})
       ->group(turn);
   flags->scene_flags = add_scene_flags(*app);
-  add_draw_flags(*app, flags->draw_flags, flags->scene_flags);
+  add_draw_flags(*app, flags->draw_flags, flags->scene_flags, PathFlags::without_seconds);
   add_input_flags(*app, flags->input);
   return {app,
           {{"lustro turntable bunny.ply -o bunny.webp --size 480x480 --seconds 4", "a small animation for a page"},
