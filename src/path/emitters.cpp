@@ -68,6 +68,40 @@ float cap_of(float r2, float d2) {
   return sine2 / (1.0F + safe_root(1.0F - sine2));
 }
 
+EmitterSample sample_area(const AreaLight& light, const Vec3f& position, const Vec2f& u) {
+  EmitterSample sample{.diffuse = light.diffuse, .specular = light.specular};
+  if (light.type == LightType::sphere) {
+    const Vec3f to_center = light.center - position;
+    const float d2 = dot(to_center, to_center);
+    const float r2 = light.radius * light.radius;
+    if (!(d2 > r2)) {
+      return sample;  // inside, where it is dark
+    }
+    const float cap = cap_of(r2, d2);
+    const Vec3f local = sample_cone(cap, u);
+    sample.to_light = Frame3(to_center * (1.0F / std::sqrt(d2))).world(local);
+    const float along = std::sqrt(d2) * local.z;
+    sample.distance = along - safe_root(r2 - d2 * (local.x * local.x + local.y * local.y));
+    sample.density = 1.0F / (2 * kPiF * cap);
+    return sample;
+  }
+  Vec2f at{(2.0F * u.x - 1.0F) * light.half_width, (2.0F * u.y - 1.0F) * light.half_height};
+  if (light.type == LightType::disk) {
+    const Vec2f disk = sample_disk(u);
+    at = {disk.x * light.radius, disk.y * light.radius};
+  }
+  const Vec3f way = (light.center + (light.x_axis * at.x + light.y_axis * at.y)) - position;
+  const float d2 = dot(way, way);
+  if (!(d2 > 0)) {
+    return sample;
+  }
+  sample.distance = std::sqrt(d2);
+  sample.to_light = way * (1.0F / sample.distance);
+  const float cosine = -dot(light.normal, sample.to_light);
+  sample.density = cosine > 0 ? d2 / (cosine * area_of(light)) : 0.0F;
+  return sample;
+}
+
 }  // namespace
 
 Emitters::Emitters(const PreparedScene& scene) : scene_(&scene) {
@@ -110,40 +144,6 @@ EmitterSample Emitters::sample(const Vec3f& position, float choice, const Vec2f&
   return sample;
 }
 
-EmitterSample Emitters::sample_area(const AreaLight& light, const Vec3f& position, const Vec2f& u) const {
-  EmitterSample sample{.diffuse = light.diffuse, .specular = light.specular};
-  if (light.type == LightType::sphere) {
-    const Vec3f to_center = light.center - position;
-    const float d2 = dot(to_center, to_center);
-    const float r2 = light.radius * light.radius;
-    if (!(d2 > r2)) {
-      return sample;  // inside, where it is dark
-    }
-    const float cap = cap_of(r2, d2);
-    const Vec3f local = sample_cone(cap, u);
-    sample.to_light = Frame3(to_center * (1.0F / std::sqrt(d2))).world(local);
-    const float along = std::sqrt(d2) * local.z;
-    sample.distance = along - safe_root(r2 - d2 * (local.x * local.x + local.y * local.y));
-    sample.density = 1.0F / (2 * kPiF * cap);
-    return sample;
-  }
-  Vec2f at{(2.0F * u.x - 1.0F) * light.half_width, (2.0F * u.y - 1.0F) * light.half_height};
-  if (light.type == LightType::disk) {
-    const Vec2f disk = sample_disk(u);
-    at = {disk.x * light.radius, disk.y * light.radius};
-  }
-  const Vec3f way = (light.center + (light.x_axis * at.x + light.y_axis * at.y)) - position;
-  const float d2 = dot(way, way);
-  if (!(d2 > 0)) {
-    return sample;
-  }
-  sample.distance = std::sqrt(d2);
-  sample.to_light = way * (1.0F / sample.distance);
-  const float cosine = -dot(light.normal, sample.to_light);
-  sample.density = cosine > 0 ? d2 / (cosine * area_of(light)) : 0.0F;
-  return sample;
-}
-
 EmitterSample Emitters::sample_triangle_of(const TriangleId& triangle, const Vec3f& position, const Vec2f& u) const {
   const Vec3f w = sample_triangle(u);
   const Vec3f direction_unknown{};
@@ -175,7 +175,7 @@ float Emitters::density_of(const SurfacePlace& place, const Vec3f& position) con
   const Vec3f way = place.position - position;
   const float d2 = dot(way, way);
   const float cosine = std::abs(dot(place.geometric_normal, way)) / std::sqrt(std::max(d2, 1e-30F));
-  const float chosen = static_cast<float>(static_cast<double>(power) / all_power_);
+  const auto chosen = static_cast<float>(static_cast<double>(power) / all_power_);
   return cosine > 0 ? chosen * d2 / (cosine * area_of(place.face)) : 0.0F;
 }
 

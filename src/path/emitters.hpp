@@ -52,7 +52,6 @@ class Emitters {
   [[nodiscard]] float density_of_sky(const Vec3f& direction) const;
 
  private:
-  [[nodiscard]] EmitterSample sample_area(const AreaLight& light, const Vec3f& position, const Vec2f& u) const;
   [[nodiscard]] EmitterSample sample_triangle_of(const TriangleId& triangle, const Vec3f& position, const Vec2f& u) const;
 
   const PreparedScene* scene_;

@@ -10,7 +10,7 @@
 namespace lustro {
 
 /// A triangle where a ray meets it.
-struct SurfacePlace {
+struct SurfacePlace {  // NOLINT(cppcoreguidelines-pro-type-member-init): an aggregate, made with its face
   Face face;
   Vec3f weights;             ///< of the triangle's vertices
   Vec3f position;            ///< relative to the eye

@@ -37,7 +37,7 @@ float largest(const Vec3f& v) {
 }  // namespace
 
 // The state of a path between two surfaces.
-struct PathTracer::Walk {
+struct PathTracer::Walk {  // NOLINT(cppcoreguidelines-pro-type-member-init): an aggregate, made with its random numbers
   PathRandom random;
   std::uint64_t& rays;
   Vec3f radiance{};
