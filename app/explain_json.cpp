@@ -17,6 +17,7 @@ Json light_json(const LightExplanation& light) {
           {"n_dot_h", json_number(light.n_dot_h)},
           {"attenuation", json_number(light.attenuation)},
           {"spot", json_number(light.spot)},
+          {"visibility", json_number(light.visibility)},
           {"ambient", json_vector(light.ambient)},
           {"diffuse", json_vector(light.diffuse)},
           {"specular", json_vector(light.specular)}};

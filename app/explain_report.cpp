@@ -98,10 +98,14 @@ std::string light_text(const PreparedScene& scene, const FragmentExplanation& fr
     scalars += fmt::format("   N.H = {}", number(light.n_dot_h));
   }
   scalars += fmt::format("   f = {}   s = {}", number(light.attenuation), number(light.spot));
+  if (shining.has_shadow) {
+    scalars += fmt::format("   v = {}", number(light.visibility));
+  }
   if (light.distance > 0) {
     scalars += fmt::format("   distance = {}", number(light.distance));
   }
-  text += fmt::format("      {}{}\n", scalars, light.n_dot_l <= 0 ? "   (the light is behind the surface)" : "");
+  const char* dark = light.n_dot_l <= 0 ? "   (the light is behind the surface)" : light.visibility == 0 ? "   (in its shadow)" : "";
+  text += fmt::format("      {}{}\n", scalars, dark);
   if (is_ggx) {
     text += microfacet_text(fragment, shading, light);
   }
@@ -113,12 +117,13 @@ std::string light_text(const PreparedScene& scene, const FragmentExplanation& fr
     text += row(6, "l_s", shining.specular);
   }
   text += row(6, "ambient", light.ambient, "f s k_a l_a");
-  text += row(6, "diffuse", light.diffuse, is_ggx ? "f s k_d l_d (1 - F) max(N.L, 0)" : "f s k_d l_d max(N.L, 0)");
+  const char* v = shining.has_shadow ? " v" : "";
+  text += row(6, "diffuse", light.diffuse, fmt::format("f s{} k_d l_d {}max(N.L, 0)", v, is_ggx ? "(1 - F) " : ""));
   if (is_ggx) {
-    text += row(6, "specular", light.specular, fmt::format("f s l_s {}", specular_formula(fragment.lighting)));
+    text += row(6, "specular", light.specular, fmt::format("f s{} l_s {}", v, specular_formula(fragment.lighting)));
   } else if (is_phong || has_half) {
     text += row(6, "specular", light.specular,
-                fmt::format("f s k_s l_s spec, spec = {} = {}", specular_formula(fragment.lighting), number(highlight(fragment, light))));
+                fmt::format("f s{} k_s l_s spec, spec = {} = {}", v, specular_formula(fragment.lighting), number(highlight(fragment, light))));
   }
   return text;
 }
@@ -176,12 +181,16 @@ std::string fragment_text(const PreparedScene& scene, const Explanation& explana
   }
   if (fragment.lighting == Lighting::ggx) {
     text += fmt::format(
-        "\n  I = k_e + k_a I_a + sum over the lights of f s [ k_a l_a + k_d l_d (1 - F) max(N.L, 0) + l_s {} ]\n"
+        "\n  I = k_e + k_a I_a + sum over the lights of f s [ k_a l_a + {}k_d l_d (1 - F) max(N.L, 0) + l_s {}{} ]\n"
         "  alpha^2 = 2 / (n + 2) = {}\n\n",
-        specular_formula(fragment.lighting), number(2 / (k.shininess + 2)));
+        scene.shadows.empty() ? "" : "v (", specular_formula(fragment.lighting), scene.shadows.empty() ? "" : ")",
+        number(2 / (k.shininess + 2)));
   } else if (fragment.lighting != Lighting::constant) {
-    text += fmt::format("\n  I = k_e + k_a I_a + sum over the lights of f s [ k_a l_a + k_d l_d max(N.L, 0) + k_s l_s spec ]\n  spec = {}{}\n\n",
-                        specular_formula(fragment.lighting), fragment.lighting == Lighting::lambert ? "" : ", 0 where N.L <= 0");
+    const bool has_shadows = !scene.shadows.empty();
+    text +=
+        fmt::format("\n  I = k_e + k_a I_a + sum over the lights of f s [ k_a l_a + {}k_d l_d max(N.L, 0) + k_s l_s spec{} ]\n  spec = {}{}\n\n",
+                    has_shadows ? "v (" : "", has_shadows ? ")" : "", specular_formula(fragment.lighting),
+                    fragment.lighting == Lighting::lambert ? "" : ", 0 where N.L <= 0");
   } else {
     text += "\n  I = k_d, unlit\n\n";
   }

@@ -54,14 +54,14 @@ void add_png_flags(CLI::App& app, PngFlags& flags, const std::string& group) {
       ->group(group);
 }
 
-Result<WriteOptions> write_options(const PngFlags& flags, Transfer transfer, int threads) {
+Result<WriteOptions> write_options(const PngFlags& flags, Transfer transfer, int threads, const Tone& tone) {
   if (flags.bits != 8 && flags.bits != 16) {
     return fail(ErrorKind::usage, "--bits", fmt::format("{} is neither 8 nor 16", flags.bits));
   }
   if (flags.png_level && (*flags.png_level < 0 || *flags.png_level > 12)) {
     return fail(ErrorKind::usage, "--png-level", fmt::format("{} is outside 0..12", *flags.png_level));
   }
-  return WriteOptions{.bits = flags.bits, .transfer = transfer, .png_level = flags.png_level, .threads = threads};
+  return WriteOptions{.bits = flags.bits, .transfer = transfer, .tone = tone, .png_level = flags.png_level, .threads = threads};
 }
 
 std::string default_output(const std::string& argument) {
@@ -171,6 +171,7 @@ Result<std::vector<std::string>> write_outputs(const std::vector<std::string>& o
           return write_image(file, layer.image, options);
         }
         WriteOptions preview = options;
+        preview.tone = {};  // it is of the whole: what is toned part by part sums to something else
         if (is_data_layer(layer)) {
           preview.transfer = Transfer::none;  // 0.5 of a number is 0.5 of the range, no light to be encoded
         }

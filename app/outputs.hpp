@@ -24,7 +24,7 @@ struct PngFlags {
 void add_png_flags(CLI::App& app, PngFlags& flags, const std::string& group);
 
 /// errors  usage for a number out of range
-[[nodiscard]] Result<WriteOptions> write_options(const PngFlags& flags, Transfer transfer, int threads);
+[[nodiscard]] Result<WriteOptions> write_options(const PngFlags& flags, Transfer transfer, int threads, const Tone& tone = {});
 
 /// `bunny.png` beside `models/bunny.ply`; `teapot.png` in the current folder for `primitive:teapot`.
 [[nodiscard]] std::string default_output(const std::string& argument);

@@ -16,6 +16,7 @@ namespace {
 std::string value_name(const FieldInfo& field) {
   switch (field.kind) {
     case ValueKind::boolean:
+    case ValueKind::toggle:
       return "";
     case ValueKind::integer:
     case ValueKind::number:
@@ -121,7 +122,7 @@ CLI::Option* add_field(CLI::App& app, const FieldInfo& field, const std::string&
   const std::string name(field.flag);
   const std::string description = description_of(field);  // CLI11 takes a const text for a description, anything else for a variable
   CLI::Option* option = nullptr;
-  if (field.kind == ValueKind::boolean) {
+  if (field.kind == ValueKind::boolean || field.kind == ValueKind::toggle) {
     option = app.add_flag(fmt::format("{0},!--no-{1}", name, name.substr(2)), description);
   } else {
     option = app.add_option(name, description)->type_name(value_name(field));

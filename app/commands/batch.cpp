@@ -103,7 +103,7 @@ Result<Rendering> draw_job(const BatchFlags& flags, const BatchJob& job, RenderO
   notes.insert(notes.end(), rendering->notes.begin(), rendering->notes.end());
   std::error_code error;
   fs::create_directories(job.output.parent_path(), error);  // where it fails, the writing says why
-  const Result<WriteOptions> write = write_options(flags.png, loaded->scene.image.transfer, alone.threads);
+  const Result<WriteOptions> write = write_options(flags.png, loaded->scene.image.transfer, alone.threads, loaded->scene.image.tone);
   if (const auto written = write_outputs(outputs, *rendering, *write); !written) {
     return tl::unexpected(written.error());
   }

@@ -137,7 +137,7 @@ Result<ExitCode> run_render(const Session& session, const RenderFlags& flags) {
   }
 
   const Result<std::vector<std::string>> written =
-      write_outputs(outputs, *rendering, *write_options(flags.png, scene.image.transfer, session.threads));
+      write_outputs(outputs, *rendering, *write_options(flags.png, scene.image.transfer, session.threads, scene.image.tone));
   if (!written) {
     return tl::unexpected(written.error());
   }

@@ -316,12 +316,12 @@ Result<std::vector<std::byte>> encode_png(const ByteImage& image, const WriteOpt
 
 Result<std::vector<std::byte>> encode_png(const Image& image, const WriteOptions& options) {
   if (options.bits == 8) {
-    return encode(samples_of(image, stored8(image, options.transfer, options.threads), 1), options);
+    return encode(samples_of(image, stored8(image, options.transfer, options.tone, options.threads), 1), options);
   }
   if (options.bits != 16) {
     return fail(ErrorKind::usage, "", "a PNG has 8 or 16 bits a channel, not " + std::to_string(options.bits));
   }
-  const std::vector<std::uint16_t> words = stored16(image, options.transfer, options.threads);
+  const std::vector<std::uint16_t> words = stored16(image, options.transfer, options.tone, options.threads);
   std::vector<std::uint8_t> bytes(words.size() * 2);
   for (std::size_t i = 0; i < words.size(); ++i) {
     bytes[2 * i] = static_cast<std::uint8_t>(words[i] >> 8);

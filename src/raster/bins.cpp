@@ -199,6 +199,29 @@ void make_lists(const Frame& frame, std::size_t count, RangeOf&& range_of, TileL
 
 }  // namespace
 
+void lay_out_geometry(Frame& frame, const PreparedScene& scene, int tile) {
+  const View& view = scene.view;
+  frame.scene = &scene;
+  frame.tile_width = tile;
+  frame.tile_height = view.samples <= 2 ? tile : (view.samples <= 8 ? tile / 2 : tile / 4);  // samples of a tile stay in the cache
+  frame.tiles_x = (view.width + frame.tile_width - 1) / frame.tile_width;
+  frame.tiles_y = (view.height + frame.tile_height - 1) / frame.tile_height;
+  frame.pattern = sample_pattern(view.samples);
+  frame.lowest = frame.highest = frame.pattern[0];
+  for (const SampleOffset& offset : frame.pattern) {
+    frame.lowest = {std::min(frame.lowest.x, offset.x), std::min(frame.lowest.y, offset.y)};
+    frame.highest = {std::max(frame.highest.x, offset.x), std::max(frame.highest.y, offset.y)};
+  }
+  frame.farthest = depth_key_of(view, view.depth_far);
+  frame.material_instance.assign(scene.materials.size(), 0);
+  frame.alpha_modes = 0;
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    frame.alpha_modes |= scene.instances[i].alpha_modes;
+    const std::size_t end = i + 1 < scene.instances.size() ? scene.instances[i + 1].first_material : scene.materials.size();
+    std::fill(frame.material_instance.data() + scene.instances[i].first_material, frame.material_instance.data() + end, i);
+  }
+}
+
 void sort_into_tiles(Frame& frame, BinWork& work, int threads) {
   const PreparedScene& scene = *frame.scene;
   cut_into_parts(scene, work);

@@ -28,6 +28,10 @@ struct BinWork {
   std::vector<TileRange> ranges;  ///< of the frame's clusters
 };
 
+/// The tiles of the scene's picture, and whose its materials are.
+/// tile  pixels a side of a picture with one sample a pixel
+void lay_out_geometry(Frame& frame, const PreparedScene& scene, int tile = 64);
+
 /// Fills the frame's clusters, loose triangles and the tiles' lists from its scene. The frame's other members are set before.
 void sort_into_tiles(Frame& frame, BinWork& work, int threads);
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "image/srgb.hpp"
+#include "image/tone.hpp"
 #include "lustro/render.hpp"
 #include "reference/pixel.hpp"
 #include "reference/triangle.hpp"
@@ -71,7 +72,8 @@ struct Frame {
   float* color = nullptr;         ///< H x W x 4, or null
   std::uint8_t* bytes = nullptr;  ///< H x W x 4, or null
   const SrgbTable* srgb = nullptr;
-  void (*store_pixel8)(const std::array<float, 4>&, Transfer,
+  Toning toning;
+  void (*store_pixel8)(const std::array<float, 4>&, Transfer, const Toning&,
                        std::array<std::uint8_t, 4>&) = nullptr;  ///< image/store.hpp's, from outside the rows
   StoredPixel background;                                        ///< of a pixel that shows nothing else
 
@@ -145,6 +147,9 @@ struct TileScratch {
   std::vector<std::uint32_t> material_begin;  ///< for sorting
   std::vector<Vec3f> light_parts;
   std::vector<Reflection<float>> reflections;  ///< of every light by the material at hand
+
+  static constexpr std::size_t kStrip = 256;  ///< fragments that go through shading together
+  std::vector<float> visibilities;            ///< lights x kStrip, where there are shadows: what of each light arrives at them
 
   /// A blended triangle in a pixel, in front of what some of its samples show behind it.
   struct Sheet {

@@ -14,9 +14,12 @@
 #include "parallel/progress.hpp"
 #include "path/render.hpp"
 #include "raster/bins.hpp"
+#include "raster/depth_maps.hpp"
 #include "raster/frame.hpp"
+#include "raster/scratch_pool.hpp"
 #include "raster/target.hpp"
 #include "reference/aov.hpp"
+#include "reference/depth_maps.hpp"
 #include "reference/render.hpp"
 #include "reference/triangle.hpp"
 #include "scene/prepare.hpp"
@@ -33,8 +36,8 @@ struct Workshop {
   PreparedScene prepared;
   Frame frame;
   BinWork bins;
-  std::vector<std::unique_ptr<TileScratch>> scratches;  // one a thread
-  std::vector<TileScratch*> idle_scratches;
+  Scratches scratches;
+  DepthWorkshop depths;
 };
 
 using Clock = std::chrono::steady_clock;
@@ -42,40 +45,6 @@ using Clock = std::chrono::steady_clock;
 double milliseconds(Clock::duration duration) {
   return std::chrono::duration<double, std::milli>(duration).count();
 }
-
-/// Hands out a scratch to whoever draws a tile.
-class ScratchPool {
- public:
-  explicit ScratchPool(Workshop& workshop) : scratches_(workshop.scratches), free_(workshop.idle_scratches), frame_(workshop.frame) {
-    free_.clear();
-  }
-  TileScratch* take() {
-    const std::lock_guard lock(mutex_);
-    if (free_.empty() && used_ == scratches_.size()) {
-      scratches_.push_back(std::make_unique<TileScratch>());
-    }
-    if (free_.empty()) {
-      TileScratch* fresh = scratches_[used_++].get();
-      fresh->fit(frame_);
-      return fresh;
-    }
-    TileScratch* scratch = free_.back();
-    free_.pop_back();
-    return scratch;
-  }
-  void give_back(TileScratch* scratch) {
-    const std::lock_guard lock(mutex_);
-    free_.push_back(scratch);
-  }
-  [[nodiscard]] std::span<const std::unique_ptr<TileScratch>> used() const { return std::span(scratches_).first(used_); }
-
- private:
-  std::vector<std::unique_ptr<TileScratch>>& scratches_;
-  std::vector<TileScratch*>& free_;
-  const Frame& frame_;
-  std::size_t used_ = 0;
-  std::mutex mutex_;
-};
 
 void store_layers(const Frame& frame, Pixel& pixel, std::vector<Vec3f>& light_parts, int x, int y) {
   pixel.light_parts.swap(light_parts);
@@ -102,32 +71,13 @@ StoredPixel background_pixel(const PreparedScene& scene) {
   pixel.alpha = 0.0F + b[3];
   StoredPixel stored;
   stored.color = pixel.color();
-  store_pixel8(stored.color, scene.transfer, stored.bytes);
+  store_pixel8(stored.color, scene.transfer, Toning(scene.tone), stored.bytes);
   return stored;
 }
 
 /// The picture's tiles and where its pixels go.
 void lay_out(Frame& frame, const PreparedScene& scene, std::span<const Aov> aovs, const RenderOptions& options, Rendering& result) {
-  const View& view = scene.view;
-  frame.scene = &scene;
-  frame.tile_width = 64;
-  frame.tile_height = view.samples <= 2 ? 64 : (view.samples <= 8 ? 32 : 16);  // samples of a tile stay in the cache
-  frame.tiles_x = (view.width + frame.tile_width - 1) / frame.tile_width;
-  frame.tiles_y = (view.height + frame.tile_height - 1) / frame.tile_height;
-  frame.pattern = sample_pattern(view.samples);
-  frame.lowest = frame.highest = frame.pattern[0];
-  for (const SampleOffset& offset : frame.pattern) {
-    frame.lowest = {std::min(frame.lowest.x, offset.x), std::min(frame.lowest.y, offset.y)};
-    frame.highest = {std::max(frame.highest.x, offset.x), std::max(frame.highest.y, offset.y)};
-  }
-  frame.farthest = depth_key_of(view, view.depth_far);
-  frame.material_instance.assign(scene.materials.size(), 0);
-  frame.alpha_modes = 0;
-  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
-    frame.alpha_modes |= scene.instances[i].alpha_modes;
-    const std::size_t end = i + 1 < scene.instances.size() ? scene.instances[i + 1].first_material : scene.materials.size();
-    std::fill(frame.material_instance.data() + scene.instances[i].first_material, frame.material_instance.data() + end, i);
-  }
+  lay_out_geometry(frame, scene);
   frame.aovs = aovs;
   frame.wants_all = !aovs.empty();
   frame.wants_lights = std::any_of(aovs.begin(), aovs.end(), [](const Aov& aov) { return aov.kind == AovKind::light; });
@@ -136,6 +86,7 @@ void lay_out(Frame& frame, const PreparedScene& scene, std::span<const Aov> aovs
   frame.color = options.store_color ? result.color.pixels.data() : nullptr;
   frame.bytes = options.store_bytes ? result.bytes.pixels.data() : nullptr;
   frame.srgb = scene.transfer == Transfer::srgb ? &srgb_table() : nullptr;
+  frame.toning = Toning(scene.tone);
   frame.store_pixel8 = store_pixel8;
   frame.background = background_pixel(scene);
 }
@@ -145,7 +96,7 @@ void draw_tiles(Workshop& workshop, const Kernels& kernels, const RenderOptions&
   const Frame& frame = workshop.frame;
   const std::size_t tiles = static_cast<std::size_t>(frame.tiles_x) * static_cast<std::size_t>(frame.tiles_y);
   Progress progress(options.progress, tiles);
-  ScratchPool pool(workshop);
+  ScratchPool pool(workshop.scratches, workshop.frame);
   const auto draw_tile = [&](std::size_t tile) {
     TileScratch* scratch = pool.take();
     const auto start = Clock::now();
@@ -190,6 +141,9 @@ void rasterize(Workshop& workshop, Target target, std::span<const Aov> aovs, con
   if (options.store_bytes) {
     resize(result.bytes, prepared.view, 4);
   }
+  const auto begin = Clock::now();
+  draw_depth_maps(prepared, workshop.prepared.shadows, kernels_of(target), options.threads, workshop.depths);  // raster/depth_maps.cpp
+  result.times.shadows = milliseconds(Clock::now() - begin);
   lay_out(workshop.frame, prepared, aovs, options, result);
   const auto laid_out = Clock::now();
   sort_into_tiles(workshop.frame, workshop.bins, options.threads);  // raster/bins.cpp
@@ -269,7 +223,8 @@ Result<void> draw(const Scene& scene, const RenderOptions& options, Workshop& wo
   }
   note_what_is_approximated(prepared, result.notes);
   if (options.engine == Engine::reference) {
-    render_reference(prepared, *aovs, options, result);  // reference/render.cpp
+    draw_depth_maps(prepared, prepared.shadows, options.threads);  // reference/depth_maps.cpp
+    render_reference(prepared, *aovs, options, result);            // reference/render.cpp
     result.times.total = milliseconds(Clock::now() - begin);
     return {};
   }

@@ -100,7 +100,7 @@ inline void store_color(const Frame& frame, int x, int y, const Vec3f& rgb, floa
   }
   if (frame.bytes != nullptr) {
     std::array<std::uint8_t, 4> bytes;
-    frame.store_pixel8(color, frame.scene->transfer, bytes);
+    frame.store_pixel8(color, frame.scene->transfer, frame.toning, bytes);
     std::memcpy(frame.bytes + at, bytes.data(), sizeof bytes);
   }
 }

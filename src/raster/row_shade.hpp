@@ -13,19 +13,87 @@
 // NOLINTBEGIN(cppcoreguidelines-pro-type-member-init)
 namespace lustro::HWY_NAMESPACE {
 
+/// Reads what find_visibilities() has stored.
+struct SeenAt {
+  const float* seen;
+  HWY_INLINE Float operator()(std::size_t light) const { return load(seen + light * kStrip); }
+};
+
 /// One evaluation of the equation.
 struct Shaded {
   Terms<Float> terms;
   Vec3<Float> scene_part;
 };
 
+/// What of the lights arrives at a batch of fragments, from place `at` of TileScratch::visibilities on; reference/fragment.cpp:
+/// visibilities_at().
+inline HWY_NOINLINE void find_visibilities(const PreparedScene& scene, TileScratch& s, std::size_t at, const Vec3<Float>& position,
+                                           const Vec3<Float>& face_normal) {
+  for (std::size_t l = 0; l < scene.shadows.maps.size(); ++l) {
+    const DepthMap& map = scene.shadows.maps[l];
+    if (map.shape != DepthShape::none) {
+      store(&s.visibilities[l * kStrip + at], visibility_in(map, position, face_normal));
+    }
+  }
+}
+
+/// Asks for the texels that lanes will read of a parallel map: they lie far apart, and most are not in the cache.
+HWY_INLINE void prefetch_texels(const DepthMap& map, const Vec3<Float>& position) {
+  const Float center(static_cast<float>(map.size) * 0.5F);
+  const Vec3<Float> at = map.place(position);
+  const Int row = truncate(lowest_texel(map, at.y + center));
+  const Int column = truncate(lowest_texel(map, at.x + center));
+  alignas(64) std::array<std::int32_t, kLanes> places;
+  store(places.data(), row * Int(map.size) + column);
+  for (const std::int32_t place : places) {
+    __builtin_prefetch(map.keys + place);
+    __builtin_prefetch(map.keys + place + map.size);
+  }
+}
+
+/// The same of a strip. Where a light is behind the surface nothing asks for it.
+inline HWY_NOINLINE void find_visibilities(const Run& run, const Strip& strip) {
+  const PreparedScene& scene = *run.frame.scene;
+  for (std::size_t l = 0; l < scene.shadows.maps.size(); ++l) {
+    const DepthMap& map = scene.shadows.maps[l];
+    if (map.shape == DepthShape::none) {
+      continue;
+    }
+    const ShadingLight& light = scene.lights[l];
+    float* visibilities = &run.s.visibilities[l * kStrip];
+    const auto faces_light = [&](std::size_t i) { return any_of(is_before(light, Strip::get(strip.position, i), Strip::get(strip.normal, i))); };
+    constexpr std::size_t kAhead = 4 * kLanes;
+    const auto prefetch = [&](std::size_t i) {
+      if (map.shape == DepthShape::parallel && i < run.count && faces_light(i)) {
+        prefetch_texels(map, Strip::get(strip.position, i));
+      }
+    };
+    for (std::size_t i = 0; i < kAhead; i += kLanes) {
+      prefetch(i);
+    }
+    for (std::size_t i = 0; i < run.count; i += kLanes) {
+      prefetch(i + kAhead);
+      store(visibilities + i, faces_light(i) ? visibility_in(map, Strip::get(strip.position, i), Strip::get(strip.face_normal, i)) : Float(0));
+    }
+  }
+}
+
+/// The same of one batch, at the first place.
+HWY_INLINE const float* find_visibilities(const PreparedScene& scene, TileScratch& s, const Batch& batch) {
+  if (HWY_UNLIKELY(!scene.shadows.empty())) {
+    find_visibilities(scene, s, 0, batch.position, batch.faces.face_normal());
+  }
+  return s.visibilities.data();
+}
+
+/// seen   of the fragments, their place in TileScratch::visibilities: find_visibilities()
 /// after  maps of a pixel that are laid upon the light of a face or a vertex, or null: of its parts alone, the terms are left as they are
 /// visit(i, part) sees every light's part.
 template <class N, class Visit>
 inline Shaded evaluate(const PreparedScene& scene, const ShadingMaterial& material, const Surface<Float>& surface,
-                       const Coefficients<Float, N>& k, const Mapped* after, Visit&& visit) {
+                       const Coefficients<Float, N>& k, const float* seen, const Mapped* after, Visit&& visit) {
   Shaded result;
-  result.terms = light_surface(material.lighting, surface, k, scene.ambient, scene.lights, scene.shading.normalized,
+  result.terms = light_surface(material.lighting, surface, k, scene.ambient, scene.lights, scene.shading.normalized, SeenAt{seen},
                                [&](std::size_t i, const Incident<Float>&, const LightTerms<Float>& part) {
                                  if (after != nullptr) {
                                    const MapFactors<Float>& by = after->factors;
@@ -79,7 +147,7 @@ HWY_INLINE const Mapped* maps_after_light(const ShadingMaterial& material, const
   return material.maps.has(MapKind::decal) ? nullptr : mapped;
 }
 
-inline Shaded shade_flat(const Faces& faces, const Mapped* mapped, bool wants_lights, const OutputSlot& out) {
+inline Shaded shade_flat(const Faces& faces, const float* seen, const Mapped* mapped, bool wants_lights, const OutputSlot& out) {
   const Vec3<Float> center = ((faces.position(0) + faces.position(1)) + faces.position(2)) * Float(1.0F / 3.0F);
   const Surface<Float> surface{center, faces.face_normal(), faces.scene.view.to_eye_from(center)};
   const Float third(1.0F / 3.0F);
@@ -88,7 +156,7 @@ inline Shaded shade_flat(const Faces& faces, const Mapped* mapped, bool wants_li
   if (after != mapped) {
     apply_factors(faces.material.maps, mapped->factors, k);
   }
-  Shaded shaded = evaluate(faces.scene, faces.material, surface, k, after, [&](std::size_t i, const Vec3<Float>& part) {
+  Shaded shaded = evaluate(faces.scene, faces.material, surface, k, seen, after, [&](std::size_t i, const Vec3<Float>& part) {
     if (wants_lights) {
       out.put_light(i, part);
     }
@@ -99,7 +167,8 @@ inline Shaded shade_flat(const Faces& faces, const Mapped* mapped, bool wants_li
   return shaded;
 }
 
-inline Shaded shade_gouraud(const Faces& faces, const Weights<Float>& w, const Mapped* mapped, bool wants_lights, const OutputSlot& out) {
+inline Shaded shade_gouraud(const Faces& faces, const Weights<Float>& w, const float* seen, const Mapped* mapped, bool wants_lights,
+                            const OutputSlot& out) {
   const Mapped* after = maps_after_light(faces.material, mapped);
   Shaded sum;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -108,13 +177,13 @@ inline Shaded shade_gouraud(const Faces& faces, const Weights<Float>& w, const M
     const Weights<Float> corner{Float(i == 0 ? 1.0F : 0.0F), Float(i == 1 ? 1.0F : 0.0F), Float(i == 2 ? 1.0F : 0.0F)};
     Coefficients<Float> k = tinted(faces.material.coefficients, faces.tint(corner));
     const auto ignore = [](std::size_t, const Vec3<Float>&) {};
-    Shaded vertex = evaluate(faces.scene, faces.material, surface, k, after, ignore);
+    Shaded vertex = evaluate(faces.scene, faces.material, surface, k, seen, after, ignore);
     const Vec3<Float> total = vertex.terms.sum();
     const auto scale = [](Float c) { return select(c > Float(1), Float(1) / c, Float(1)); };
     const Vec3<Float> by{scale(total.x), scale(total.y), scale(total.z)};
     if (after != mapped) {
       apply_factors(faces.material.maps, mapped->factors, k);
-      vertex = evaluate(faces.scene, faces.material, surface, k, nullptr, ignore);
+      vertex = evaluate(faces.scene, faces.material, surface, k, seen, nullptr, ignore);
     }
     scale_terms(vertex.terms, by);
     vertex.scene_part = vertex.scene_part * by;
@@ -125,7 +194,7 @@ inline Shaded shade_gouraud(const Faces& faces, const Weights<Float>& w, const M
     add(sum.terms.emission, vertex.terms.emission);
     add(sum.scene_part, vertex.scene_part);
     if (wants_lights) {  // once more, now that the clamp is known
-      evaluate(faces.scene, faces.material, surface, k, after, [&](std::size_t l, const Vec3<Float>& part) {
+      evaluate(faces.scene, faces.material, surface, k, seen, after, [&](std::size_t l, const Vec3<Float>& part) {
         Vec3<Float> value = i == 0 ? Vec3<Float>{} : out.get_light(l);
         add(value, part * by);
         out.put_light(l, value);
@@ -140,21 +209,21 @@ inline Shaded shade_gouraud(const Faces& faces, const Weights<Float>& w, const M
 
 /// visit(i, part) sees every light's part where layers of lights are stored.
 template <class Visit>
-HWY_INLINE Shaded shade_phong(const Batch& batch, const Mapped* mapped, Visit&& visit) {
+HWY_INLINE Shaded shade_phong(const Batch& batch, const float* seen, const Mapped* mapped, Visit&& visit) {
   const Faces& faces = batch.faces;
   const Surface<Float> surface{batch.position, batch.normal, faces.scene.view.to_eye_at(batch.at.x, batch.at.y)};
   Coefficients<Float> k = tinted(faces.material.coefficients, faces.tint(batch.at.weights));
   if (mapped == nullptr) {
-    return evaluate(faces.scene, faces.material, surface, k, nullptr, visit);
+    return evaluate(faces.scene, faces.material, surface, k, seen, nullptr, visit);
   }
   const ShadingMaps& maps = faces.material.maps;
   apply_factors(maps, mapped->factors, k);
   if (!maps.has(MapKind::shininess)) {
-    return evaluate(faces.scene, faces.material, surface, k, nullptr, visit);
+    return evaluate(faces.scene, faces.material, surface, k, seen, nullptr, visit);
   }
   const Coefficients<Float, LaneExponent<Float>> varying{k.ambient, k.diffuse, k.specular, k.emission,
                                                          textured_shininess<LaneFetch>(maps, mapped->at, k.shininess.n)};
-  return evaluate(faces.scene, faces.material, surface, varying, nullptr, visit);
+  return evaluate(faces.scene, faces.material, surface, varying, seen, nullptr, visit);
 }
 
 /// Dims the terms by the fog, and says what it adds.
@@ -164,8 +233,13 @@ HWY_INLINE Vec3<Float> add_fog(const ShadingFog& fog, const Vec3<Float>& positio
   return vec_cast<Float>(fog.color) * (Float(1) - clear);
 }
 
+inline HWY_NOINLINE Vec3<Float> toned_out_of_line(const Toning& toning, const Vec3<Float>& linear) {
+  return toned(toning, linear);
+}
+
 /// image/store.cpp for lanes: the bytes of opaque pixels, alpha the highest.
-HWY_INLINE void store_words(const Frame& frame, const Vec3<Float>& rgb, std::uint32_t* words) {
+HWY_INLINE void store_words(const Frame& frame, const Vec3<Float>& linear, std::uint32_t* words) {
+  const Vec3<Float> rgb = HWY_UNLIKELY(frame.toning.changes()) ? toned_out_of_line(frame.toning, linear) : linear;
   const Int opaque(static_cast<std::int32_t>(0xFF000000U));
   if (frame.srgb == nullptr) {
     const auto quantize = [](Float color) { return truncate(clamp01(color) * Float(255) + Float(0.5F)); };
@@ -202,9 +276,7 @@ inline HWY_NOINLINE void make_surfaces(const Run& run, Strip& strip) {
   const bool has_tint = !run.instance.drawable->colors.empty();
   for (std::size_t i = 0; i < run.count; i += kLanes) {
     const Batch batch = run.batch(i);
-    Strip::put(strip.position, i, batch.position);
-    Strip::put(strip.normal, i, batch.normal);
-    Strip::put(strip.to_eye, i, run.frame.scene->view.to_eye_at(batch.at.x, batch.at.y));
+    put_surface(run, strip, i, batch, false);
     if (has_tint) {
       Strip::put(strip.tint, i, batch.faces.tint(batch.at.weights));
     }
@@ -217,6 +289,10 @@ HWY_INLINE void light_surfaces(const Run& run, const Strip& strip, Visit&& visit
   const PreparedScene& scene = *run.frame.scene;
   const ShadingMaterial& material = run.material;
   const bool has_tint = !run.instance.drawable->colors.empty();
+  const float* seen = run.s.visibilities.data();
+  if (HWY_UNLIKELY(!scene.shadows.empty())) {
+    find_visibilities(run, strip);
+  }
   Reflection<float>* reflections = run.s.reflections.data();  // without a tint they are the same everywhere
   for (std::size_t l = 0; l < scene.lights.size(); ++l) {
     reflections[l] = reflection_of(material.coefficients, scene.lights[l]);
@@ -230,20 +306,20 @@ HWY_INLINE void light_surfaces(const Run& run, const Strip& strip, Visit&& visit
                                   Strip::get(strip.emission, i), material.coefficients.shininess};
       if (material.maps.has(MapKind::shininess)) {
         const Coefficients<Float, LaneExponent<Float>> varying{k.ambient, k.diffuse, k.specular, k.emission, {load(&strip.shininess[i])}};
-        terms = evaluate(scene, material, surface, varying, nullptr, ignore).terms;
+        terms = evaluate(scene, material, surface, varying, seen + i, nullptr, ignore).terms;
       } else {
-        terms = light_surface(material.lighting, surface, k, scene.ambient, scene.lights, scene.shading.normalized,
+        terms = light_surface(material.lighting, surface, k, scene.ambient, scene.lights, scene.shading.normalized, SeenAt{seen + i},
                               [](std::size_t, const Incident<Float>&, const LightTerms<Float>&) {});
       }
       if (material.maps.reflects) {
         terms.specular += Strip::get(strip.reflection, i);
       }
     } else if (has_tint) {
-      terms = evaluate(scene, material, surface, tinted(material.coefficients, Strip::get(strip.tint, i)), nullptr, ignore).terms;
+      terms = evaluate(scene, material, surface, tinted(material.coefficients, Strip::get(strip.tint, i)), seen + i, nullptr, ignore).terms;
     } else {
       terms = light_surface(
           material.lighting, surface, material.coefficients, scene.ambient, scene.lights, scene.shading.normalized,
-          [reflections](std::size_t l) -> const Reflection<float>& { return reflections[l]; },
+          [reflections](std::size_t l) -> const Reflection<float>& { return reflections[l]; }, SeenAt{seen + i},
           [](std::size_t, const Incident<Float>&, const LightTerms<Float>&) {});
     }
     visit(i, surface.position, terms);
@@ -292,9 +368,11 @@ inline HWY_NOINLINE void light_faces(const Run& run, Strip& strip) {
       look_up_maps(batch, maps);
     }
     const Mapped* mapped = run.material.maps.has_any() ? &maps : nullptr;
+    const float* seen = find_visibilities(scene, run.s, batch);
     const OutputSlot no_output{run.s, 0};
-    Shaded shaded = scene.shading.interpolation == Interpolation::flat ? shade_flat(batch.faces, mapped, false, no_output)
-                                                                       : shade_gouraud(batch.faces, batch.at.weights, mapped, false, no_output);
+    Shaded shaded = scene.shading.interpolation == Interpolation::flat
+                        ? shade_flat(batch.faces, seen, mapped, false, no_output)
+                        : shade_gouraud(batch.faces, batch.at.weights, seen, mapped, false, no_output);
     add_reflection(run.material, maps, shaded);
     Strip::put(strip.color, i, sum_whole(scene, batch.position, shaded.terms));
   }
@@ -339,6 +417,7 @@ inline HWY_NOINLINE void shade_all(const Run& run, std::size_t i) {
     look_up_maps(batch, maps);
   }
   const Mapped* mapped = run.material.maps.has_any() ? &maps : nullptr;
+  const float* seen = find_visibilities(scene, s, batch);
   const OutputSlot out{s, run.begin + i};
   for (std::size_t l = 0; frame.wants_lights && l < scene.lights.size(); ++l) {
     out.put_light(l, {});  // which is what a material brings that no light reaches
@@ -346,13 +425,13 @@ inline HWY_NOINLINE void shade_all(const Run& run, std::size_t i) {
   Shaded shaded;
   switch (scene.shading.interpolation) {
     case Interpolation::flat:
-      shaded = shade_flat(batch.faces, mapped, frame.wants_lights, out);
+      shaded = shade_flat(batch.faces, seen, mapped, frame.wants_lights, out);
       break;
     case Interpolation::gouraud:
-      shaded = shade_gouraud(batch.faces, batch.at.weights, mapped, frame.wants_lights, out);
+      shaded = shade_gouraud(batch.faces, batch.at.weights, seen, mapped, frame.wants_lights, out);
       break;
     case Interpolation::phong:
-      shaded = shade_phong(batch, mapped, [&](std::size_t l, const Vec3<Float>& part) {
+      shaded = shade_phong(batch, seen, mapped, [&](std::size_t l, const Vec3<Float>& part) {
         if (frame.wants_lights) {
           out.put_light(l, part);
         }

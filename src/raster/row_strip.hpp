@@ -7,7 +7,7 @@
 // NOLINTBEGIN(cppcoreguidelines-pro-type-member-init)
 namespace lustro::HWY_NAMESPACE {
 
-inline constexpr std::size_t kStrip = 256;  ///< fragments
+inline constexpr std::size_t kStrip = TileScratch::kStrip;
 
 /// Fragments on their way through shading, a stage at a time. Each stage is a short loop, so that the processor works at several of its vectors
 /// at once, and the compiler keeps what all of them need in registers.
@@ -17,6 +17,7 @@ struct Strip {
   alignas(64) Rows ambient, diffuse, specular, emission;  // coefficients, where maps change them
   alignas(64) std::array<float, kStrip> shininess;        // where a map does
   alignas(64) Rows reflection;                            // reflected_surroundings(), where there is a reflection map
+  alignas(64) Rows face_normal;                           // where there are shadows
 
   HWY_INLINE static void put(Rows& rows, std::size_t i, const Vec3<Float>& value) {
     store(&rows[0][i], value.x);

@@ -6,6 +6,7 @@
 #include "image/srgb.hpp"
 #include "lustro/image.hpp"
 #include "lustro/render.hpp"
+#include "reference/depth_maps.hpp"
 #include "reference/pixel.hpp"
 #include "reference/triangle.hpp"
 #include "reference/visibility.hpp"
@@ -19,10 +20,11 @@ Result<Explanation> take_apart(const Scene& scene, int x, int y) {
         ErrorKind::usage, "",
         fmt::format("pixel {}, {} is outside the picture of {} x {} pixels, counted from 0", x, y, scene.image.width, scene.image.height));
   }
-  const auto prepared = prepare(scene);
+  auto prepared = prepare(scene);
   if (!prepared) {
     return tl::unexpected(prepared.error());
   }
+  draw_depth_maps(*prepared, prepared->shadows, 0);
   const std::vector<ScreenTriangle> triangles = setup_triangles(*prepared, 0);
   Visibility visibility(*prepared, {x, y, x + 1, y + 1});
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
@@ -45,7 +47,7 @@ Result<Explanation> take_apart(const Scene& scene, int x, int y) {
 
   Image one(1, 1, 4);
   std::copy(explanation.color.begin(), explanation.color.end(), one.pixels.begin());
-  const ByteImage bytes = to_bytes(one, scene.image.transfer);
+  const ByteImage bytes = to_bytes(one, scene.image.transfer, scene.image.tone);
   std::copy(bytes.pixels.begin(), bytes.pixels.end(), explanation.bytes.begin());
   return explanation;
 }

@@ -22,6 +22,18 @@ void scale_terms(Terms<float>& terms, const Vec3f& by) {
   terms.emission = terms.emission * by;
 }
 
+// What of the lights, one after the other, is not in shadow at the pixel; of those that have no shadow nothing.
+std::vector<float> visibilities_at(const Face& face, const Vec3f& position) {
+  const DepthMaps& shadows = face.scene.shadows;
+  std::vector<float> visibilities(shadows.maps.size());
+  for (std::size_t l = 0; l < visibilities.size(); ++l) {
+    if (shadows.maps[l].shape != DepthShape::none) {
+      visibilities[l] = visibility_in(shadows.maps[l], position, face.face_normal());
+    }
+  }
+  return visibilities;
+}
+
 // One evaluation of the equation, and what it says of itself.
 struct Evaluation {
   Terms<float> terms;
@@ -45,24 +57,25 @@ Coefficients<float> tinted(const Face& face, const Vec3f& tint) {
   return k;
 }
 
+// seen   visibilities_at() the pixel, wherever the light is evaluated
 // after  maps of a pixel that are laid upon the light of a face or a vertex, or null: of its parts alone, the terms are left as they are
 template <class N>
-Evaluation evaluate(const Face& face, const Surface<float>& surface, const Coefficients<float, N>& k, const Mapped* after, bool wants_lights,
-                    ShadingExplanation* explanation) {
+Evaluation evaluate(const Face& face, const Surface<float>& surface, const Coefficients<float, N>& k, std::span<const float> seen,
+                    const Mapped* after, bool wants_lights, ShadingExplanation* explanation) {
   const PreparedScene& scene = face.scene;
   Evaluation result;
   if (wants_lights) {
     result.light_parts.resize(scene.lights.size());
   }
   result.terms = light_surface(
-      face.material.lighting, surface, k, scene.ambient, scene.lights, scene.shading.normalized,
+      face.material.lighting, surface, k, scene.ambient, scene.lights, scene.shading.normalized, [seen](std::size_t i) { return seen[i]; },
       [&](std::size_t i, const Incident<float>& in, const LightTerms<float>& part) {
         if (wants_lights) {
-          LightTerms<float> seen = part;
+          LightTerms<float> mapped = part;
           if (after != nullptr) {
-            seen = {part.ambient * after->factors.ambient, part.diffuse * after->factors.diffuse, part.specular * after->factors.specular};
+            mapped = {part.ambient * after->factors.ambient, part.diffuse * after->factors.diffuse, part.specular * after->factors.specular};
           }
-          result.light_parts[i] = (seen.ambient + seen.diffuse) + seen.specular;
+          result.light_parts[i] = (mapped.ambient + mapped.diffuse) + mapped.specular;
         }
         if (explanation != nullptr) {
           const Vec3f& l = in.to_light;
@@ -78,6 +91,7 @@ Evaluation evaluate(const Face& face, const Surface<float>& surface, const Coeff
                                          .n_dot_h = n_dot_h(surface, l),
                                          .attenuation = in.attenuation,
                                          .spot = in.spot,
+                                         .visibility = in.visibility,
                                          .ambient = part.ambient,
                                          .diffuse = part.diffuse,
                                          .specular = part.specular});
@@ -116,7 +130,7 @@ const Mapped* maps_after_light(const Face& face, const Mapped* mapped) {
   return face.material.maps.has(MapKind::decal) ? nullptr : mapped;
 }
 
-Evaluation shade_flat(const Face& face, const Mapped* mapped, bool wants_lights, FragmentExplanation* explanation) {
+Evaluation shade_flat(const Face& face, std::span<const float> seen, const Mapped* mapped, bool wants_lights, FragmentExplanation* explanation) {
   const Vec3f center = ((face.position(0) + face.position(1)) + face.position(2)) * (1.0F / 3.0F);
   const Surface<float> surface{center, face.face_normal(), face.scene.view.to_eye_from(center)};
   constexpr float kThird = 1.0F / 3.0F;
@@ -125,7 +139,7 @@ Evaluation shade_flat(const Face& face, const Mapped* mapped, bool wants_lights,
   if (after != mapped) {
     apply_factors(face.material.maps, mapped->factors, k);
   }
-  Evaluation shading = evaluate(face, surface, k, after, wants_lights, add_shading(explanation, 1));
+  Evaluation shading = evaluate(face, surface, k, seen, after, wants_lights, add_shading(explanation, 1));
   if (after != nullptr) {
     modulate(after->factors, shading.terms);
   }
@@ -147,7 +161,8 @@ void scale_vertex(Evaluation& vertex, const Vec3f& by) {
   }
 }
 
-Evaluation shade_gouraud(const Face& face, const Vec3f& weights, const Mapped* mapped, bool wants_lights, FragmentExplanation* explanation) {
+Evaluation shade_gouraud(const Face& face, const Vec3f& weights, std::span<const float> seen, const Mapped* mapped, bool wants_lights,
+                         FragmentExplanation* explanation) {
   const std::array<float, 3> w{weights.x, weights.y, weights.z};
   const Mapped* after = maps_after_light(face, mapped);
   Evaluation sum;
@@ -157,11 +172,11 @@ Evaluation shade_gouraud(const Face& face, const Vec3f& weights, const Mapped* m
     const Vec3f corner{i == 0 ? 1.0F : 0.0F, i == 1 ? 1.0F : 0.0F, i == 2 ? 1.0F : 0.0F};
     ShadingExplanation* shading = add_shading(explanation, w[i]);
     Coefficients<float> k = tinted(face, face.tint(corner));
-    Evaluation vertex = evaluate(face, surface, k, after, wants_lights, after == mapped ? shading : nullptr);
+    Evaluation vertex = evaluate(face, surface, k, seen, after, wants_lights, after == mapped ? shading : nullptr);
     const Vec3f by = clamp_at_vertex(vertex.terms);  // before all maps
     if (after != mapped) {
       apply_factors(face.material.maps, mapped->factors, k);
-      vertex = evaluate(face, surface, k, nullptr, wants_lights, shading);
+      vertex = evaluate(face, surface, k, seen, nullptr, wants_lights, shading);
     }
     scale_vertex(vertex, by);
     if (shading != nullptr) {
@@ -187,21 +202,21 @@ Evaluation shade_gouraud(const Face& face, const Vec3f& weights, const Mapped* m
   return sum;
 }
 
-Evaluation shade_phong(const Face& face, const Vec3f& weights, const Surface<float>& surface, const Mapped* mapped, bool wants_lights,
-                       FragmentExplanation* explanation) {
+Evaluation shade_phong(const Face& face, const Vec3f& weights, const Surface<float>& surface, std::span<const float> seen, const Mapped* mapped,
+                       bool wants_lights, FragmentExplanation* explanation) {
   ShadingExplanation* shading = add_shading(explanation, 1);
   Coefficients<float> k = tinted(face, face.tint(weights));
   if (mapped == nullptr) {
-    return evaluate(face, surface, k, nullptr, wants_lights, shading);
+    return evaluate(face, surface, k, seen, nullptr, wants_lights, shading);
   }
   const ShadingMaps& maps = face.material.maps;
   apply_factors(maps, mapped->factors, k);
   if (!maps.has(MapKind::shininess)) {
-    return evaluate(face, surface, k, nullptr, wants_lights, shading);
+    return evaluate(face, surface, k, seen, nullptr, wants_lights, shading);
   }
   const Coefficients<float, LaneExponent<float>> varying{k.ambient, k.diffuse, k.specular, k.emission,
                                                          textured_shininess<TexelReader>(maps, mapped->at, k.shininess.n)};
-  return evaluate(face, surface, varying, nullptr, wants_lights, shading);
+  return evaluate(face, surface, varying, seen, nullptr, wants_lights, shading);
 }
 
 // k_s times the reflection map: what surrounds the scene is seen at the pixel, whatever the interpolation, after all clamping.
@@ -305,17 +320,18 @@ Fragment shade_fragment(const PreparedScene& scene, const ScreenTriangle& t, std
   }
   const Mapped* mapped = maps ? &*maps : nullptr;
 
+  const std::vector<float> seen = visibilities_at(face, fragment.position);
   Evaluation shading;
   switch (scene.shading.interpolation) {
     case Interpolation::flat:
-      shading = shade_flat(face, mapped, !light_parts.empty(), explanation);
+      shading = shade_flat(face, seen, mapped, !light_parts.empty(), explanation);
       break;
     case Interpolation::gouraud:
-      shading = shade_gouraud(face, at.weights, mapped, !light_parts.empty(), explanation);
+      shading = shade_gouraud(face, at.weights, seen, mapped, !light_parts.empty(), explanation);
       break;
     case Interpolation::phong:
-      shading = shade_phong(face, at.weights, {fragment.position, fragment.normal, scene.view.to_eye_at(x, y)}, mapped, !light_parts.empty(),
-                            explanation);
+      shading = shade_phong(face, at.weights, {fragment.position, fragment.normal, scene.view.to_eye_at(x, y)}, seen, mapped,
+                            !light_parts.empty(), explanation);
       break;
   }
   const Vec3f reflection = material.maps.reflects ? add_reflection(face, *mapped, shading) : Vec3f{};

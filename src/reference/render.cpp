@@ -7,32 +7,12 @@
 #include "parallel/parallel_for.hpp"
 #include "parallel/progress.hpp"
 #include "reference/aov.hpp"
+#include "reference/bands.hpp"
 #include "reference/pixel.hpp"
 #include "reference/triangle.hpp"
 #include "reference/visibility.hpp"
 
 namespace lustro {
-namespace {
-
-constexpr int kBandRows = 16;  // a band of rows is one thread's work: it owns its samples and its pixels
-
-// Triangles that touch each band, in order.
-std::vector<std::vector<std::uint32_t>> bin_by_band(const View& view, const std::vector<ScreenTriangle>& triangles) {
-  const int bands = (view.height + kBandRows - 1) / kBandRows;
-  std::vector<std::vector<std::uint32_t>> bins(static_cast<std::size_t>(bands));
-  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    const auto& y = triangles[i].y;
-    const auto [top, bottom] = std::minmax({y[0], y[1], y[2]});
-    const int first = std::max(0, (top >> 8) / kBandRows);
-    const int last = std::min(bands - 1, (bottom >> 8) / kBandRows);
-    for (int band = first; band <= last; ++band) {
-      bins[static_cast<std::size_t>(band)].push_back(i);
-    }
-  }
-  return bins;
-}
-
-}  // namespace
 
 void render_reference(const PreparedScene& scene, std::span<const Aov> aovs, const RenderOptions& options, Rendering& result) {
   const bool wants_lights = std::any_of(aovs.begin(), aovs.end(), [](const Aov& aov) { return aov.kind == AovKind::light; });
@@ -67,7 +47,7 @@ void render_reference(const PreparedScene& scene, std::span<const Aov> aovs, con
   });
   result.stats = {.triangles = scene.triangle_count, .triangles_seen = covered > 0 ? 0 : triangles.size(), .pixels_covered = covered};
   if (options.store_bytes) {
-    result.bytes = to_bytes(result.color, scene.transfer);
+    result.bytes = to_bytes(result.color, scene.transfer, scene.tone);
   }
 }
 

@@ -69,6 +69,8 @@ constexpr ValueKind kind_of_type() {
     return ValueKind::triple;
   } else if constexpr (std::is_same_v<V, std::array<float, 6>>) {
     return ValueKind::affine;
+  } else if constexpr (kIsToggle<V>) {
+    return ValueKind::toggle;
   } else if constexpr (std::is_same_v<V, std::monostate>) {
     return ValueKind::materials;
   } else {
@@ -191,6 +193,21 @@ struct FromText {
     value->push_back(*std::move(light));
     return {};
   }
+  /// What is stated stays when it is switched on.
+  template <class V>
+  requires kIsToggle<V> Result<void>
+  operator()(std::optional<V>& value) const {
+    const auto is_on = parse_bool(text);
+    if (!is_on) {
+      return tl::unexpected(is_on.error());
+    }
+    if (!*is_on) {
+      value.reset();
+    } else if (!value) {
+      value.emplace();
+    }
+    return {};
+  }
   /// "Not stated" is `none`, else as the value.
   template <class V>
   Result<void> operator()(std::optional<V>& value) const {
@@ -269,11 +286,15 @@ struct ToText {
   std::string operator()(const std::vector<Light>& lights) const { return lights.empty() ? "none" : fmt::format("{} lights", lights.size()); }
   template <class V>
   std::string operator()(const std::optional<V>& value) const {
-    return value ? (*this)(*value) : "none";
+    if constexpr (kIsToggle<V>) {
+      return value ? "true" : "false";
+    } else {
+      return value ? (*this)(*value) : "none";
+    }
   }
   template <class V>
-  requires(kind_of_type<V>() == ValueKind::table || kind_of_type<V>() == ValueKind::objects ||
-           kind_of_type<V>() == ValueKind::materials) std::string
+  requires(kind_of_type<V>() == ValueKind::table || kind_of_type<V>() == ValueKind::objects || kind_of_type<V>() == ValueKind::materials ||
+           kIsToggle<V>) std::string
   operator()(const V&) const {
     return {};
   }
@@ -407,12 +428,14 @@ Result<void> set_from_text(T& object, const Field<T>& field, std::string_view te
   template std::string default_text(const Field<T>&); \
   template Result<void> set_from_text(T&, const Field<T>&, std::string_view);
 LUSTRO_FIELDS_OF(ImageSettings)
+LUSTRO_FIELDS_OF(Tone)
 LUSTRO_FIELDS_OF(Camera)
 LUSTRO_FIELDS_OF(Shading)
 LUSTRO_FIELDS_OF(Light)
 LUSTRO_FIELDS_OF(Attenuation)
 LUSTRO_FIELDS_OF(Fog)
 LUSTRO_FIELDS_OF(Environment)
+LUSTRO_FIELDS_OF(ShadowSettings)
 LUSTRO_FIELDS_OF(Material)
 LUSTRO_FIELDS_OF(StatedTextures)
 LUSTRO_FIELDS_OF(StatedTexture)
@@ -426,12 +449,14 @@ std::vector<FieldGroup> field_groups() {
   return {
       group_of<Scene>("", "the scene's own keys"),
       group_of<ImageSettings>("image", "the picture"),
+      group_of<Tone>("image.tone", "tone mapping, on the way from linear light to bytes"),
       group_of<Camera>("camera", "right-handed, y up on the image; what is not stated frames the whole scene"),
       group_of<Shading>("shading", "how surfaces are lit"),
       group_of<Light>("lights[]", "one light"),
       group_of<Attenuation>("lights[].attenuation", "1 / (c + l d + q d^2), or 1 / d^falloff, at the distance d"),
       group_of<Fog>("fog", "on the Euclidean distance from the eye to the point, after lighting; the background is not fogged"),
       group_of<Environment>("environment", "the sky; a file's name or a colour stands for a table with that `file` or `color`"),
+      group_of<ShadowSettings>("shadow", "the maps of depths through which lights see what they reach; `true` is a table that states nothing"),
       group_of<Material>("materials.*", "the coefficients of a material"),
       group_of<StatedTextures>("materials.*.textures",
                                "what varies over the surface; colours multiply their coefficient, one value each the others"),
@@ -447,11 +472,18 @@ Result<void> set_scene_flag(Scene& scene, std::string_view flag, std::string_vie
   if (flag.empty()) {
     return unknown;
   }
-  for (auto& done : {set_flag(scene, flag, text), set_flag(scene.image, flag, text), set_flag(scene.camera, flag, text),
-                     set_flag(scene.shading, flag, text)}) {
+  for (auto& done : {set_flag(scene, flag, text), set_flag(scene.image, flag, text), set_flag(scene.image.tone, flag, text),
+                     set_flag(scene.camera, flag, text), set_flag(scene.shading, flag, text)}) {
     if (done) {
       return *done;
     }
+  }
+  ShadowSettings shadow = scene.shadow.value_or(ShadowSettings{});
+  if (const auto set = set_flag(shadow, flag, text)) {
+    if (*set) {
+      scene.shadow = shadow;
+    }
+    return *set;
   }
   Object stated;
   const auto done = set_flag(stated, flag, text);

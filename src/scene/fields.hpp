@@ -45,6 +45,7 @@ enum class ValueKind : std::uint8_t {
   pair,        ///< [u, v]
   triple,      ///< a number, or a list of three: of red, green and blue
   affine,      ///< six numbers, row by row
+  toggle,      ///< true, false, or a table with keys of its own: shadow
 };
 
 /// The numbers that a key takes; each number of a vector, matrix or colour.
@@ -64,6 +65,10 @@ struct Range {
 /// `120 is outside 0..90`
 [[nodiscard]] std::string outside_message(const Range& range, double value);
 
+/// Tables that `true` stands for where they state nothing, and `false` where there is none.
+template <class V>
+inline constexpr bool kIsToggle = std::is_same_v<V, ShadowSettings>;
+
 /// A colour and the alpha that its fourth number states.
 template <class T>
 struct ColorAlpha {
@@ -73,14 +78,16 @@ struct ColorAlpha {
 
 /// Where a struct keeps the value. monostate: the file has the key, the struct does not (`materials`).
 template <class T>
-using Member = std::variant<
-    bool T::*, int T::*, float T::*, double T::*, std::optional<double> T::*, Vec3d T::*, std::optional<Vec3d> T::*, Mat4 T::*, Color T::*,
-    ColorAlpha<T>, std::string T::*, TermSet T::*, Transfer T::*, Projection T::*, ViewPreset T::*, Lighting T::*, std::optional<Lighting> T::*,
-    Interpolation T::*, NormalInterpolation T::*, VertexNormals T::*, Culling T::*, std::optional<Culling> T::*, LightType T::*, SpotFade T::*,
-    FogMode T::*, ImageSettings T::*, Camera T::*, Shading T::*, Attenuation T::*, std::optional<Fog> T::*, std::optional<Environment> T::*,
-    std::optional<int> T::*, std::optional<std::vector<Light>> T::*, std::vector<Object> T::*, std::optional<Material> T::*, AlphaMode T::*,
-    StatedTextures T::*, std::optional<StatedTexture> T::*, std::optional<StatedReflection> T::*, ReflectionShape T::*, WrapPair T::*,
-    TextureFilter T::*, MipFilter T::*, TextureChannel T::*, Vec2f T::*, Vec3f T::*, std::optional<std::array<float, 6>> T::*, std::monostate>;
+using Member =
+    std::variant<bool T::*, int T::*, float T::*, double T::*, std::optional<double> T::*, Vec3d T::*, std::optional<Vec3d> T::*, Mat4 T::*,
+                 Color T::*, ColorAlpha<T>, std::string T::*, TermSet T::*, Transfer T::*, Projection T::*, ViewPreset T::*, Lighting T::*,
+                 std::optional<Lighting> T::*, Interpolation T::*, NormalInterpolation T::*, VertexNormals T::*, Culling T::*,
+                 std::optional<Culling> T::*, LightType T::*, SpotFade T::*, FogMode T::*, ImageSettings T::*, Camera T::*, Shading T::*,
+                 Attenuation T::*, std::optional<Fog> T::*, std::optional<Environment> T::*, Tone T::*, ToneOperator T::*,
+                 std::optional<ShadowSettings> T::*, std::optional<int> T::*, std::optional<std::vector<Light>> T::*, std::vector<Object> T::*,
+                 std::optional<Material> T::*, AlphaMode T::*, StatedTextures T::*, std::optional<StatedTexture> T::*,
+                 std::optional<StatedReflection> T::*, ReflectionShape T::*, WrapPair T::*, TextureFilter T::*, MipFilter T::*,
+                 TextureChannel T::*, Vec2f T::*, Vec3f T::*, std::optional<std::array<float, 6>> T::*, std::monostate>;
 
 /// One key of the struct T.
 template <class T>
@@ -94,8 +101,8 @@ struct Field {
   std::string_view absent = {};  ///< what holds where the key is not stated, if the struct's default does not say it
 };
 
-/// The keys of T in the order of the documentation: ImageSettings, Camera, Shading, Light, Attenuation, Fog, Environment, Material,
-/// StatedTextures, StatedTexture, StatedReflection, Object, Scene.
+/// The keys of T in the order of the documentation: ImageSettings, Tone, Camera, Shading, Light, Attenuation, Fog, Environment, ShadowSettings,
+/// Material, StatedTextures, StatedTexture, StatedReflection, Object, Scene.
 template <class T>
 [[nodiscard]] std::span<const Field<T>> fields();
 
@@ -176,7 +183,8 @@ struct FieldGroup {
 [[nodiscard]] std::vector<FieldGroup> field_groups();
 
 /// Sets what a flag of the command names (`--samples`, `--light`, ...), wherever it belongs. `--light` appends a light (the first one replaces
-/// nothing but the default rig) and `none` removes all; `--material` gives every object that material; `--fog none` removes the fog. errors
+/// nothing but the default rig) and `none` removes all; `--material` gives every object that material; `--fog none` removes the fog;
+/// a flag of `shadow` switches shadows on. errors
 /// usage, `where` is the flag. The scene is unchanged then
 [[nodiscard]] Result<void> set_scene_flag(Scene& scene, std::string_view flag, std::string_view text);
 

@@ -1,4 +1,4 @@
-// The keys of `image` and `camera`.
+// The keys of `image`, `image.tone` and `camera`.
 #include <array>
 
 #include "scene/fields.hpp"
@@ -23,6 +23,15 @@ constexpr std::array kImageFields{
     Field<ImageSettings>{"background", "--background", ColorAlpha<ImageSettings>{&ImageSettings::background, &ImageSettings::background_alpha},
                          "colour where nothing is drawn; a fourth number is its alpha", "", kColor},
     Field<ImageSettings>{"transparent", "--transparent", &ImageSettings::transparent, "the background has alpha 0"},
+    Field<ImageSettings>{"tone", "", &ImageSettings::tone,
+                         "how light of any brightness becomes what is stored; of bytes, floats are stored as they are"},
+};
+
+constexpr Range kStops{.lower = -100, .upper = 100};
+
+constexpr std::array kToneFields{
+    Field<Tone>{"operator", "--tone", &Tone::curve, "the curve, before the transfer"},
+    Field<Tone>{"exposure", "--exposure", &Tone::exposure, "before the curve everything is multiplied by two to this power", "stops", kStops},
 };
 
 constexpr std::array kCameraFields{
@@ -45,6 +54,11 @@ constexpr std::array kCameraFields{
 template <>
 std::span<const Field<ImageSettings>> fields<ImageSettings>() {
   return kImageFields;
+}
+
+template <>
+std::span<const Field<Tone>> fields<Tone>() {
+  return kToneFields;
 }
 
 template <>

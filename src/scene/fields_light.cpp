@@ -1,4 +1,4 @@
-// The keys of a light, of its `attenuation`, of `fog` and of `environment`.
+// The keys of a light, of its `attenuation`, of `fog`, of `environment` and of `shadow`.
 #include <array>
 
 #include "scene/fields.hpp"
@@ -31,6 +31,7 @@ constexpr std::array kLightFields{
     Field<Light>{"size", "", &Light::size, "the edges of a rectangle", "world units", kPositive},
     Field<Light>{"x_axis", "", &Light::x_axis, "the way of a rectangle's first edge, made perpendicular to `direction`", "", {}, "level"},
     Field<Light>{"radius", "", &Light::radius, "of a disk or a sphere", "world units", kPositive},
+    Field<Light>{"shadow", "", &Light::shadow, "where the scene has shadows: this light throws some"},
 };
 
 constexpr std::array kAttenuationFields{
@@ -66,11 +67,26 @@ constexpr std::array kEnvironmentFields{
     Field<Environment>{"visible", "", &Environment::visible, "it is the background, too"},
 };
 
+constexpr Range kMapSize{.lower = 16, .upper = 8192};
+constexpr Range kSoftness{.lower = 0, .upper = 16};
+
+constexpr std::array kShadowFields{
+    Field<ShadowSettings>{"size", "--shadow-size", &ShadowSettings::size,
+                          "side of a light's map; each of the six that look around a point light has half of it", "texels", kMapSize},
+    Field<ShadowSettings>{"softness", "--shadow-softness", &ShadowSettings::softness, "how far edges are blurred on either side", "texels",
+                          kSoftness},
+};
+
 }  // namespace
 
 template <>
 std::span<const Field<Environment>> fields<Environment>() {
   return kEnvironmentFields;
+}
+
+template <>
+std::span<const Field<ShadowSettings>> fields<ShadowSettings>() {
+  return kShadowFields;
 }
 
 template <>

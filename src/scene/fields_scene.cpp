@@ -33,6 +33,7 @@ constexpr std::array kSceneFields{
                  "",
                  {},
                  "none"},
+    Field<Scene>{"shadow", "--shadows", &Scene::shadow, "lights do not reach what lies behind something", "", {}, "no shadows"},
     Field<Scene>{"materials",
                  "",
                  std::monostate{},

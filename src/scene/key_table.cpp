@@ -36,6 +36,8 @@ std::string value_column(const FieldInfo& field) {
       return "text";
     case ValueKind::table:
       return "table";
+    case ValueKind::toggle:
+      return "`true`, `false` or table";
     case ValueKind::lights:
     case ValueKind::objects:
       return "list of tables";

@@ -165,18 +165,6 @@ ShadingFog prepare_fog(const Fog& fog, Transfer transfer) {
   return result;
 }
 
-AffineRows to_rows(const std::array<Vec3d, 3>& rows, const Vec3d& translation) {
-  AffineRows result;
-  const std::array<double, 3> t{translation.x, translation.y, translation.z};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::array<double, 4> row{rows[i].x, rows[i].y, rows[i].z, t[i]};
-    for (std::size_t j = 0; j < 4; ++j) {
-      result.m[4 * i + j] = static_cast<float>(row[j]);
-    }
-  }
-  return result;
-}
-
 // Rows of equal length at right angles, to the last digits of a float: a rotation, perhaps with a reflection, and one scale for all axes.
 bool keeps_angles(const std::array<Vec3d, 3>& rows) {
   constexpr double kTolerance = 1e-6;
@@ -215,16 +203,8 @@ Result<void> place(Instance& instance, const Mat4& m, const View& view, const st
   }
   instance.relative_from_object = to_rows(rows, translation);
   instance.normal_from_object = to_rows(cofactors, {});
-
-  // Image rows: the view's axes, scaled to pixels, times the matrix; all in double, rounded once.
-  const std::array<Vec3d, 3> axes{view.right * view.pixels_per_unit, view.up * -view.pixels_per_unit, view.forward};
-  std::array<Vec3d, 3> image_rows;
-  std::array<double, 3> offset{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    image_rows[i] = (rows[0] * axes[i].x + rows[1] * axes[i].y) + rows[2] * axes[i].z;
-    offset[i] = dot(axes[i], translation);
-  }
-  instance.image_from_object = to_rows(image_rows, {offset[0], offset[1], offset[2]});
+  instance.world_from_object = m;
+  instance.image_from_object = image_rows(m, view);
   return {};
 }
 
@@ -418,7 +398,9 @@ Result<void> prepare(const Scene& scene, MeshCache& cache, int threads, Prepared
   }
   prepared.shading = scene.shading;
   prepared.transfer = scene.image.transfer;
-  auto view = make_view(scene.camera, scene.image, extent_of(scene, prepared.instances));
+  prepared.tone = scene.image.tone;
+  const Extent extent = extent_of(scene, prepared.instances);
+  auto view = make_view(scene.camera, scene.image, extent);
   if (!view) {
     return tl::unexpected(view.error());
   }
@@ -450,6 +432,15 @@ Result<void> prepare(const Scene& scene, MeshCache& cache, int threads, Prepared
       return tl::unexpected(environment.error());
     }
     prepared.environment = *std::move(environment);
+  }
+  prepared.shadows.clear();
+  if (scene.shadow) {
+    for (std::size_t i = 0; i < prepared.lights.size(); ++i) {
+      prepared.lights[i].has_shadow = prepared.stated_lights[i].shadow;
+    }
+    if (auto planned = plan_shadows(*scene.shadow, prepared.lights, extent, prepared.view.eye, prepared.shadows); !planned) {
+      return planned;
+    }
   }
   prepared.ambient = linear_rgb(scene.ambient, prepared.transfer);
   prepared.fog = scene.fog ? std::optional(prepare_fog(*scene.fog, prepared.transfer)) : std::nullopt;

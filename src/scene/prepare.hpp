@@ -10,6 +10,8 @@
 
 #include "lustro/result.hpp"
 #include "lustro/scene.hpp"
+#include "math/affine_rows.hpp"
+#include "scene/depth_maps.hpp"
 #include "scene/mesh_cache.hpp"
 #include "scene/view.hpp"
 #include "shade/fog.hpp"
@@ -19,22 +21,6 @@
 #include "shade/texturing.hpp"
 
 namespace lustro {
-
-/// Three rows of four: a point's affine transform in float, summed in the order ((x + y) + z) + translation.
-struct AffineRows {
-  std::array<float, 12> m{};
-  template <class F>
-  [[nodiscard]] Vec3<F> operator()(const Vec3<F>& p) const {
-    const auto row = [&](std::size_t i) { return ((F(m[i]) * p.x + F(m[i + 1]) * p.y) + F(m[i + 2]) * p.z) + F(m[i + 3]); };
-    return {row(0), row(4), row(8)};
-  }
-  /// Of a direction: without the translation.
-  template <class F>
-  [[nodiscard]] Vec3<F> turned(const Vec3<F>& d) const {
-    const auto row = [&](std::size_t i) { return (F(m[i]) * d.x + F(m[i + 1]) * d.y) + F(m[i + 2]) * d.z; };
-    return {row(0), row(4), row(8)};
-  }
-};
 
 /// A material ready for shading. Coefficients of terms that are switched off are 0.
 struct ShadingMaterial {
@@ -88,6 +74,7 @@ struct Instance {
   bool is_mirrored = false;          ///< the matrix turns the winding round
   bool is_similarity = false;        ///< the matrix keeps angles: normals may be interpolated before they are turned
   float size = 1;                    ///< how many times larger than the mesh it is drawn: the cube root of the growth of its volume
+  Mat4 world_from_object;            ///< as the scene states it
   Vec3d eye;                         ///< object space, for a similarity: where the eye stands, or the way that an orthographic view looks
 
   AffineRows image_from_object;     ///< (pixels * depth from the image's centre, x and y; depth), orthographic: (pixels, pixels, depth)
@@ -103,6 +90,7 @@ struct PreparedScene {
   View view;
   Shading shading;
   Transfer transfer = Transfer::srgb;
+  Tone tone;
   std::vector<Instance> instances;
   std::vector<ShadingMaterial> materials;
   std::vector<ShadingLight> lights;
@@ -112,6 +100,7 @@ struct PreparedScene {
   Vec3f ambient;
   std::optional<ShadingFog> fog;
   std::optional<PreparedEnvironment> environment;
+  DepthMaps shadows;                  ///< one map a light, or none where the scene has no shadows
   std::array<float, 4> background{};  ///< linear, premultiplied
   std::uint32_t triangle_count = 0;
   Notes notes;

@@ -296,6 +296,15 @@ struct FromJson {
 
   template <class V>
   Result<void> operator()(std::optional<V>& to) const {
+    if constexpr (kIsToggle<V>) {
+      if (value.is_boolean()) {
+        to = value.get<bool>() ? std::optional<V>(V{}) : std::nullopt;
+        return {};
+      }
+      if (!value.is_object()) {
+        return expected_at(path, "true, false or a table", value);
+      }
+    }
     V read{};
     if (auto done = (*this)(read); !done) {
       return done;

@@ -113,6 +113,8 @@ Schema value_schema(const FieldInfo& field) {
         return {{"anyOf", Schema::array({mesh_schema(), reference("color"), reference(field.key)})}};
       }
       return reference(field.key);
+    case ValueKind::toggle:
+      return {{"anyOf", Schema::array({{{"type", "boolean"}}, reference(field.key)})}};
     case ValueKind::lights:
       return {{"type", "array"}, {"items", reference("light")}};
     case ValueKind::objects:
@@ -178,7 +180,8 @@ Schema table_schema(const FieldGroup& group) {
 
 /// `lights[]` is the table `light`, `materials.*` the table `material`, ...
 std::string_view table_name(std::string_view path) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kNames{{{"lights[]", "light"},
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kNames{{{"lights[]", "light"},
+                                                                                 {"image.tone", "tone"},
                                                                                  {"lights[].attenuation", "attenuation"},
                                                                                  {"materials.*", "material"},
                                                                                  {"materials.*.textures", "textures"},

@@ -127,6 +127,10 @@ struct ToJson {
   }
   template <class V>
   std::string operator()(const std::optional<V>& value) const {
+    if constexpr (kIsToggle<V>) {
+      const std::string stated = value ? (*this)(*value) : "";
+      return stated == "{}" ? "true" : stated;
+    }
     return value ? (*this)(*value) : "";
   }
   std::string operator()(std::monostate) const { return ""; }

@@ -189,14 +189,31 @@ Result<View> make_view(const Camera& camera, const ImageSettings& image, const E
   }
 
   view.pixels_per_unit = view.projection == Projection::perspective ? image.height / (2 * tan_y) : image.height / height;
-  view.center_x = static_cast<float>(image.width) * 0.5F;
-  view.center_y = static_cast<float>(image.height) * 0.5F;
+  complete_view(view);
+  return view;
+}
+
+void complete_view(View& view) {
+  view.center_x = static_cast<float>(view.width) * 0.5F;
+  view.center_y = static_cast<float>(view.height) * 0.5F;
   view.ray_center = vec_cast<float>(view.forward);
   view.ray_dx = vec_cast<float>(view.right * (1 / view.pixels_per_unit));
   view.ray_dy = vec_cast<float>(view.up * (-1 / view.pixels_per_unit));
   view.depth_near = static_cast<float>(view.near);
   view.depth_far = static_cast<float>(view.far);
-  return view;
+}
+
+AffineRows image_rows(const Mat4& m, const View& view) {
+  const std::array<Vec3d, 3> rows{Vec3d{m(0, 0), m(0, 1), m(0, 2)}, Vec3d{m(1, 0), m(1, 1), m(1, 2)}, Vec3d{m(2, 0), m(2, 1), m(2, 2)}};
+  const Vec3d translation = Vec3d{m(0, 3), m(1, 3), m(2, 3)} - view.eye;
+  const std::array<Vec3d, 3> axes{view.right * view.pixels_per_unit, view.up * -view.pixels_per_unit, view.forward};
+  std::array<Vec3d, 3> image;
+  std::array<double, 3> offset{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    image[i] = (rows[0] * axes[i].x + rows[1] * axes[i].y) + rows[2] * axes[i].z;
+    offset[i] = dot(axes[i], translation);
+  }
+  return to_rows(image, {offset[0], offset[1], offset[2]});
 }
 
 std::array<Light, 3> default_rig(const View& view) {

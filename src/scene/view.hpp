@@ -9,6 +9,7 @@
 #include "lustro/mesh.hpp"
 #include "lustro/result.hpp"
 #include "lustro/scene.hpp"
+#include "math/affine_rows.hpp"
 #include "math/lane.hpp"
 
 namespace lustro {
@@ -75,6 +76,9 @@ struct View {
   }
 };
 
+/// The matrix from an object to the image: Instance::image_from_object. All in double, rounded once.
+[[nodiscard]] AffineRows image_rows(const Mat4& world_from_object, const View& view);
+
 /// What a camera frames: the scene's reach, the largest dot(direction, p) over all its points p (world), for several directions at once. A
 /// maximum does not depend on the order of points.
 struct Extent {
@@ -88,6 +92,9 @@ struct Extent {
 /// The camera with all that it leaves open chosen so that the scene fills the image with a small margin.
 /// errors  usage where eye and target coincide, up is parallel to the view, near >= far, or a number is out of range
 [[nodiscard]] Result<View> make_view(const Camera& camera, const ImageSettings& image, const Extent& extent);
+
+/// The members that renderers read, from those that say where the camera stands and what it sees.
+void complete_view(View& view);
 
 /// The light of a scene without `lights`: key, fill and rim, fixed to the camera.
 [[nodiscard]] std::array<Light, 3> default_rig(const View& view);

@@ -75,6 +75,12 @@ constexpr std::array kTransfer{
     word(Transfer::none, "none", "every colour as it stands, stored as it is, as classic OpenGL did"),
     word(Transfer::srgb, "srgb", "lit in linear light, stored with the sRGB encoding"),
 };
+constexpr std::array kToneOperator{
+    word(ToneOperator::none, "none", "what is brighter than 1 is stored as 1"),
+    word(ToneOperator::reinhard, "reinhard", "c / (1 + luminance) (Reinhard et al. 2002)"),
+    word(ToneOperator::aces, "aces", "the film-like curve of ACES (Stephen Hill's fit)"),
+    word(ToneOperator::agx, "agx", "AgX: bright colours fade to white (Troy Sobotka; Benjamin Wrensch's polynomial)"),
+};
 constexpr std::array kProjection{
     word(Projection::perspective, "perspective", "far things look smaller"),
     word(Projection::orthographic, "orthographic", "parallel rays: size does not depend on distance"),
@@ -132,6 +138,7 @@ template <> std::span<const Word> words_of<TextureChannel>() { return kTextureCh
 template <> std::span<const Word> words_of<ReflectionShape>() { return kReflectionShape; }
 template <> std::span<const Word> words_of<AlphaMode>() { return kAlphaMode; }
 template <> std::span<const Word> words_of<Transfer>() { return kTransfer; }
+template <> std::span<const Word> words_of<ToneOperator>() { return kToneOperator; }
 template <> std::span<const Word> words_of<Projection>() { return kProjection; }
 template <> std::span<const Word> words_of<ViewPreset>() { return kViewPreset; }
 template <> std::span<const Word> words_of<LightType>() { return kLightType; }

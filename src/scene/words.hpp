@@ -21,9 +21,9 @@ struct Word {
   std::string_view help;
 };
 
-/// The words of E in the order of its values: Lighting, Interpolation, NormalInterpolation, VertexNormals, Culling, Transfer, Projection,
-/// ViewPreset, LightType, SpotFade, GltfShading, FogMode, Wrap, TextureFilter, MipFilter, TextureChannel,
-/// ReflectionShape, AlphaMode.
+/// The words of E in the order of its values: Lighting, Interpolation, NormalInterpolation, VertexNormals, Culling, Transfer, ToneOperator,
+/// Projection, ViewPreset, LightType, SpotFade, GltfShading, FogMode, Wrap, TextureFilter, MipFilter, TextureChannel, ReflectionShape,
+/// AlphaMode.
 template <class E>
 [[nodiscard]] std::span<const Word> words_of();
 

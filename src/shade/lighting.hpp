@@ -1,12 +1,15 @@
 // THE lighting equation: the only place where light meets surface. F is a lane type: float for the reference, N floats for a kernel.
 // shade/lighting.glsl is its mirror, line for line.
 //
-//   I = k_e + k_a I_a + sum_i f_i s_i [ k_a l_a + k_d l_d max(N.L, 0) + k_s l_s spec ]
+//   I = k_e + k_a I_a + sum_i f_i s_i [ k_a l_a + v_i (k_d l_d max(N.L, 0) + k_s l_s spec) ]
 //
 //   spec = 0                    lambert      Lambert 1760
 //          max(R.V, 0)^n        phong        Phong 1975, R = 2 (N.L) N - L
 //          max(N.H, 0)^n        blinn-phong  Blinn 1977, H = (L + V) / |L + V|
 //   spec = 0 where N.L <= 0
+//
+//   v_i is the share of the light that is not in shadow (shade/depth_map.hpp), 1 where there are no shadows, as in the shader: what light i
+//   brings directly vanishes in its shadow; its ambient colour stays, which stands for what it brings by way of all other surfaces.
 //
 //   ggx: k_d (1 - F) in place of k_d, and k_s spec = F D Vis max(N.L, 0), the microfacets of glTF 2.0, appendix B; see reflect_ggx()
 //
@@ -55,6 +58,7 @@ struct ShadingLight {
   float beam_scale = 0;  ///< 1 / (cos_beam - cos_cutoff); 0: no beam
   SpotFade fade = SpotFade::smoothstep;
   Exponent exponent;
+  bool has_shadow = false;  ///< v is asked for
 };
 
 /// How a light arrives at a point.
@@ -64,6 +68,7 @@ struct Incident {
   F distance;        ///< 0 for a directional light
   F attenuation;     ///< f
   F spot;            ///< s
+  F visibility;      ///< v: set by light_surface()
 };
 
 /// One light's part of the sum.
@@ -124,16 +129,16 @@ LUSTRO_INLINE F spot_factor(const ShadingLight& light, const F& cs) {
 template <class F>
 LUSTRO_INLINE Incident<F> incident_light(const ShadingLight& light, const Vec3<F>& position) {
   if (light.type == LightType::directional) {
-    return {vec_cast<F>(-light.travel), F(0), F(1), F(1)};
+    return {vec_cast<F>(-light.travel), F(0), F(1), F(1), F(1)};
   }
   const Vec3<F> offset = vec_cast<F>(light.position) - position;
   const F distance = square_root(lane_max(dot(offset, offset), F(1e-30F)));  // in the light itself L is 0: no diffuse, no highlight
   const Vec3<F> to_light = offset * (F(1) / distance);
   const F attenuation = attenuate(light, distance);
   if (light.type == LightType::point) {
-    return {to_light, distance, attenuation, F(1)};
+    return {to_light, distance, attenuation, F(1), F(1)};
   }
-  return {to_light, distance, attenuation, spot_factor(light, -dot(vec_cast<F>(light.travel), to_light))};
+  return {to_light, distance, attenuation, spot_factor(light, -dot(vec_cast<F>(light.travel), to_light)), F(1)};
 }
 
 /// R = 2 (N.L) N - L
@@ -265,21 +270,28 @@ LUSTRO_INLINE LightTerms<F> reflect_ggx(const Surface<F>& s, const Reflection<K>
   return part;
 }
 
-/// The whole equation at one point. reflection_at(i) is reflection_of() light i; visit(i, incident, part) sees every light's part, in order.
-template <Lighting model, class F, class K, class N, class ReflectionAt, class Visit>
+/// The whole equation at one point. reflection_at(i) is reflection_of() light i, visibility_at(i) the v of a light that has a shadow;
+/// visit(i, incident, part) sees every light's part, in order.
+template <Lighting model, class F, class K, class N, class ReflectionAt, class VisibilityAt, class Visit>
 LUSTRO_INLINE Terms<F> light_surface(const Surface<F>& s, const Coefficients<K, N>& k, const Vec3f& ambient_light,
-                                     std::span<const ShadingLight> lights, bool normalized, ReflectionAt&& reflection_at, Visit&& visit) {
+                                     std::span<const ShadingLight> lights, bool normalized, ReflectionAt&& reflection_at,
+                                     VisibilityAt&& visibility_at, Visit&& visit) {
   if constexpr (model == Lighting::constant) {
     return {{}, vec_cast<F>(k.diffuse), {}, {}};
   } else {
     Terms<F> terms{vec_cast<F>(k.ambient * vec_cast<K>(ambient_light)), {}, {}, vec_cast<F>(k.emission)};
     for (std::size_t i = 0; i < lights.size(); ++i) {
-      const Incident<F> in = incident_light(lights[i], s.position);
+      Incident<F> in = incident_light(lights[i], s.position);
       LightTerms<F> part;
       if constexpr (model == Lighting::ggx) {
         part = reflect_ggx(s, reflection_at(i), k.specular, lights[i].specular, k.shininess, in);
       } else {
         part = reflect_light<model>(s, reflection_at(i), k.shininess, in, normalized);
+      }
+      if (lights[i].has_shadow) {
+        in.visibility = visibility_at(i);
+        part.diffuse = part.diffuse * in.visibility;
+        part.specular = part.specular * in.visibility;
       }
       terms.ambient += part.ambient;
       terms.diffuse += part.diffuse;
@@ -291,30 +303,39 @@ LUSTRO_INLINE Terms<F> light_surface(const Surface<F>& s, const Coefficients<K, 
 }
 
 /// The same with the model chosen at run time.
-template <class F, class K, class N, class ReflectionAt, class Visit>
+template <class F, class K, class N, class ReflectionAt, class VisibilityAt, class Visit>
 LUSTRO_INLINE Terms<F> light_surface(Lighting model, const Surface<F>& s, const Coefficients<K, N>& k, const Vec3f& ambient_light,
-                                     std::span<const ShadingLight> lights, bool normalized, ReflectionAt&& reflection_at, Visit&& visit) {
+                                     std::span<const ShadingLight> lights, bool normalized, ReflectionAt&& reflection_at,
+                                     VisibilityAt&& visibility_at, Visit&& visit) {
   switch (model) {
     case Lighting::constant:
-      return light_surface<Lighting::constant>(s, k, ambient_light, lights, normalized, reflection_at, visit);
+      return light_surface<Lighting::constant>(s, k, ambient_light, lights, normalized, reflection_at, visibility_at, visit);
     case Lighting::lambert:
-      return light_surface<Lighting::lambert>(s, k, ambient_light, lights, normalized, reflection_at, visit);
+      return light_surface<Lighting::lambert>(s, k, ambient_light, lights, normalized, reflection_at, visibility_at, visit);
     case Lighting::phong:
-      return light_surface<Lighting::phong>(s, k, ambient_light, lights, normalized, reflection_at, visit);
+      return light_surface<Lighting::phong>(s, k, ambient_light, lights, normalized, reflection_at, visibility_at, visit);
     case Lighting::ggx:
-      return light_surface<Lighting::ggx>(s, k, ambient_light, lights, normalized, reflection_at, visit);
+      return light_surface<Lighting::ggx>(s, k, ambient_light, lights, normalized, reflection_at, visibility_at, visit);
     case Lighting::blinn_phong:
       break;
   }
-  return light_surface<Lighting::blinn_phong>(s, k, ambient_light, lights, normalized, reflection_at, visit);
+  return light_surface<Lighting::blinn_phong>(s, k, ambient_light, lights, normalized, reflection_at, visibility_at, visit);
 }
 
 /// The same from the coefficients alone.
+template <class F, class N, class VisibilityAt, class Visit>
+LUSTRO_INLINE Terms<F> light_surface(Lighting model, const Surface<F>& s, const Coefficients<F, N>& k, const Vec3f& ambient_light,
+                                     std::span<const ShadingLight> lights, bool normalized, VisibilityAt&& visibility_at, Visit&& visit) {
+  return light_surface(
+      model, s, k, ambient_light, lights, normalized, [&](std::size_t i) { return reflection_of(k, lights[i]); }, visibility_at, visit);
+}
+
+/// The same without shadows.
 template <class F, class N, class Visit>
 LUSTRO_INLINE Terms<F> light_surface(Lighting model, const Surface<F>& s, const Coefficients<F, N>& k, const Vec3f& ambient_light,
                                      std::span<const ShadingLight> lights, bool normalized, Visit&& visit) {
   return light_surface(
-      model, s, k, ambient_light, lights, normalized, [&](std::size_t i) { return reflection_of(k, lights[i]); }, visit);
+      model, s, k, ambient_light, lights, normalized, [](std::size_t) { return F(1); }, visit);
 }
 
 }  // namespace lustro

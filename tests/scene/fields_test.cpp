@@ -168,6 +168,9 @@ TEST(SceneFlags, ReachEveryPartOfTheScene) {
   set("--light", "point 1,2,3");
   set("--light", "directional 0,-1,0");
   set("--fog", "exp2 density=0.5");
+  set("--shadow-softness", "3");
+  set("--tone", "agx");
+  set("--exposure", "-1.5");
   set("--material", "jade");
   EXPECT_EQ(scene.image.samples, 16);
   EXPECT_EQ(scene.camera.fov, 30);
@@ -178,6 +181,14 @@ TEST(SceneFlags, ReachEveryPartOfTheScene) {
   ASSERT_TRUE(scene.lights);
   ASSERT_EQ(scene.lights->size(), 2U);
   EXPECT_EQ(scene.fog->density, 0.5);
+  ASSERT_TRUE(scene.shadow);
+  EXPECT_EQ(scene.shadow->softness, 3);
+  EXPECT_EQ(scene.shadow->size, ShadowSettings{}.size);
+  set("--shadows", "true");
+  EXPECT_EQ(scene.shadow->softness, 3) << "switching on what is on changes nothing";
+  set("--shadows", "false");
+  EXPECT_FALSE(scene.shadow);
+  EXPECT_EQ(scene.image.tone, (Tone{ToneOperator::agx, -1.5F}));
   for (const Object& object : scene.objects) {
     EXPECT_EQ(object.material, library_material("jade"));
   }

@@ -294,5 +294,24 @@ TEST(SceneReader, EveryKeyOfTheTableRefusesAWrongTypeAtItsPath) {
   EXPECT_EQ(checked, 69 + 3 + 12 + 18 + 8 + 3 + 6 + 3);
 }
 
+TEST(SceneReader, ShadowsAreSwitchedOrStated) {
+  const auto shadow_of = [](const std::string& value) {
+    const auto scene = parse_scene("{\"shadow\": " + value + R"(, "objects": [{"mesh": "a"}]})");
+    EXPECT_TRUE(scene) << (scene ? "" : scene.error().text());
+    return scene ? scene->shadow : std::nullopt;
+  };
+  EXPECT_FALSE(shadow_of("false"));
+  ASSERT_TRUE(shadow_of("true"));
+  EXPECT_EQ(shadow_of("true")->size, 2048);
+  EXPECT_EQ(shadow_of("{}")->softness, 0);
+  EXPECT_EQ(shadow_of(R"({"size": 512, "softness": 4})")->size, 512);
+  EXPECT_EQ(shadow_of(R"({"size": 512, "softness": 4})")->softness, 4);
+  EXPECT_EQ(error_with(R"("shadow": 1)"), "shadow: found 1, expected true, false or a table");
+  EXPECT_EQ(error_with(R"("shadow": {"size": 8193})"), "shadow.size: 8193 is outside 16..8192");
+  EXPECT_EQ(error_with(R"("shadow": {"soft": 1})"), "shadow.soft: unknown key, did you mean \"softness\"?");
+  EXPECT_EQ(error_in_light(R"("shadow": 0)"), "lights[2].shadow: found 0, expected true or false");
+  EXPECT_EQ(error_with(R"("image": {"tone": {"operator": "filmic"}})").find("image.tone.operator: unknown word"), 0U);
+}
+
 }  // namespace
 }  // namespace lustro

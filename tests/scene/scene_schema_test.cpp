@@ -30,7 +30,8 @@ TEST(SceneSchema, HasEveryKeyWithItsHelpAndNoOther) {
                                                       {"materials.*.textures", "textures"},
                                                       {"materials.*.textures.*", "texture"},
                                                       {"materials.*.textures.reflection", "reflection"},
-                                                      {"objects[]", "object"}};
+                                                      {"objects[]", "object"},
+                                                      {"image.tone", "tone"}};
   for (const FieldGroup& group : field_groups()) {
     const auto name = names.find(group.path);
     const auto& table = group.path.empty() ? root : root["$defs"].at(name == names.end() ? std::string(group.path) : name->second);
@@ -158,10 +159,29 @@ std::vector<std::string> small_scenes() {
   for (const char* shininess : {"-1", "0", "10000", "10001"}) {
     object(std::string("\"material\": {\"shininess\": ") + shininess + "}");
   }
-  for (const char* key : {"\"ligths\": []", "\"lights\": []", "\"lights\": null", "\"lights\": [1]", "\"$schema\": \"x\"", "\"$schema\": 1",
-                          "\"fog\": {}", "\"fog\": null", "\"fog\": {\"mode\": \"exp2\", \"density\": 0}", "\"fog\": {\"density\": -1}",
-                          "\"materials\": {\"a\": \"jade\", \"b\": {}}", "\"materials\": {\"a\": \"jada\"}", "\"materials\": {\"a\": 1}",
-                          "\"materials\": []", "\"camera\": []", "\"camera\": {\"Fov\": 3}"}) {
+  for (const char* key : {"\"ligths\": []",
+                          "\"lights\": []",
+                          "\"lights\": null",
+                          "\"lights\": [1]",
+                          "\"$schema\": \"x\"",
+                          "\"$schema\": 1",
+                          "\"fog\": {}",
+                          "\"shadow\": true",
+                          "\"shadow\": {}",
+                          "\"shadow\": {\"size\": 15}",
+                          "\"shadow\": {\"softness\": 1.5}",
+                          "\"shadow\": 0",
+                          "\"image\": {\"tone\": {\"operator\": \"agx\"}}",
+                          "\"image\": {\"tone\": \"agx\"}",
+                          "\"fog\": null",
+                          "\"fog\": {\"mode\": \"exp2\", \"density\": 0}",
+                          "\"fog\": {\"density\": -1}",
+                          "\"materials\": {\"a\": \"jade\", \"b\": {}}",
+                          "\"materials\": {\"a\": \"jada\"}",
+                          "\"materials\": {\"a\": 1}",
+                          "\"materials\": []",
+                          "\"camera\": []",
+                          "\"camera\": {\"Fov\": 3}"}) {
     with(key);
   }
   object("\"name\": \"x\"");

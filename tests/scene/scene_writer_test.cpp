@@ -352,5 +352,16 @@ TEST(SceneFile, MutationsOfTheExampleNeverBreakTheRules) {
   EXPECT_GT(good, 200);
 }
 
+TEST(SceneWriter, ShadowsThatStateNothingAreTrue) {
+  Scene scene;
+  EXPECT_EQ(scene_json(scene).find("shadow"), std::string::npos);
+  scene.shadow.emplace();
+  EXPECT_NE(scene_json(scene).find("\"shadow\": true"), std::string::npos);
+  scene.shadow->softness = 3;
+  EXPECT_NE(scene_json(scene).find("\"shadow\": {\"softness\": 3}"), std::string::npos);
+  scene.image.tone = {ToneOperator::aces, 0.5F};
+  EXPECT_NE(scene_json(scene).find("\"tone\": {\"operator\": \"aces\", \"exposure\": 0.5}"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace lustro
