@@ -226,7 +226,7 @@ Result<void> render_path(const PreparedScene& scene, std::span<const Aov> aovs, 
   result.color = Image(view.width, view.height, 4);
   store(pixels, done, aovs, result);
   if (options.store_bytes) {
-    result.bytes = to_bytes(result.color, scene.transfer);
+    result.bytes = to_bytes(result.color, scene.transfer, scene.tone);
   }
   return {};
 }

@@ -64,11 +64,11 @@ struct ShadingLight {
 /// How a light arrives at a point.
 template <class F>
 struct Incident {
-  Vec3<F> to_light;  ///< L, unit
-  F distance;        ///< 0 for a directional light
-  F attenuation;     ///< f
-  F spot;            ///< s
-  F visibility;      ///< v: set by light_surface()
+  Vec3<F> to_light;     ///< L, unit
+  F distance;           ///< 0 for a directional light
+  F attenuation;        ///< f
+  F spot;               ///< s
+  F visibility = F(1);  ///< v: set by light_surface()
 };
 
 /// One light's part of the sum.
