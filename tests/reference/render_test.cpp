@@ -389,7 +389,7 @@ TEST(Aov, NamesAreParsedAndUnknownOnesNamed) {
   EXPECT_FALSE(parse_aovs("light:x"));
   EXPECT_FALSE(parse_aovs(""));
   EXPECT_FALSE(parse_aovs("depth,,normal"));
-  EXPECT_EQ(aov_names().size(), 17U);
+  EXPECT_EQ(aov_names().size(), 18U);
 }
 
 TEST(Render, AMaterialMayLeaveOutASideOfItsFaces) {
