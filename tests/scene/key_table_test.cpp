@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -59,12 +60,12 @@ TEST(KeyTable, EveryExampleOfThePageIsAScene) {
     EXPECT_TRUE(parse_scene(scene_json(*scene)));
     ++examples;
   }
-  EXPECT_EQ(examples, 6);
+  EXPECT_EQ(examples, 8);
 }
 
 TEST(ExampleScenes, AreScenesWithEveryKindOfLightFogAndCamera) {
   int scenes = 0;
-  bool has_type[3] = {false, false, false};
+  std::array<bool, 6> has_type{};  // one a LightType
   bool has_fog = false;
   bool has_orthographic = false;
   for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(LUSTRO_SOURCE_DIR) / "examples" / "scenes")) {
