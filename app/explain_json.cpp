@@ -33,6 +33,7 @@ Json shading_json(const ShadingExplanation& shading) {
           {"normal", json_vector(shading.normal)},
           {"to_eye", json_vector(shading.to_eye)},
           {"scene_ambient", json_vector(shading.scene_ambient)},
+          {"environment", json_vector(shading.environment)},
           {"ambient", json_vector(shading.ambient)},
           {"diffuse", json_vector(shading.diffuse)},
           {"specular", json_vector(shading.specular)},

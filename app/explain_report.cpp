@@ -143,6 +143,9 @@ std::string shading_text(const PreparedScene& scene, const Explanation& explanat
   text += row(4, "N", shading.normal);
   text += row(4, "V", shading.to_eye, "towards the eye");
   text += row(4, "scene's ambient", shading.scene_ambient, "k_a I_a");
+  if (scene.environment) {
+    text += row(4, "environment", shading.environment, "k_d E");
+  }
   for (const LightExplanation& light : shading.lights) {
     text += light_text(scene, fragment, shading, light);
   }

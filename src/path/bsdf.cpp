@@ -75,7 +75,7 @@ Reflected Bsdf::reflected(const Vec3f& to_light) const {
     return {};  // below the surface, whatever its interpolated normal says
   }
   const Reflection<float> k{{}, point_.k.diffuse, specular_};
-  const Incident<float> in{to_light, 0, 1, 1};
+  const Incident<float> in{to_light, 0, 1, 1, 1};
   LightTerms<float> terms;
   switch (lighting_) {
     case Lighting::constant:

@@ -23,6 +23,7 @@
 #include "reference/render.hpp"
 #include "reference/triangle.hpp"
 #include "scene/prepare.hpp"
+#include "scene/surroundings.hpp"
 
 namespace lustro {
 
@@ -33,6 +34,7 @@ struct Workshop {
   explicit Workshop(ClusterUse use) : meshes(use) {}
 
   MeshCache meshes;
+  EnvironmentCache surroundings;
   PreparedScene prepared;
   Frame frame;
   BinWork bins;
@@ -123,9 +125,6 @@ void draw_tiles(Workshop& workshop, const Kernels& kernels, const RenderOptions&
 
 /// What the local model cannot draw as it is.
 void note_what_is_approximated(const PreparedScene& scene, Notes& notes) {
-  if (scene.environment) {
-    notes.push_back({"environment", "is drawn by --engine path alone: here it neither lights nor is seen"});
-  }
   if (!scene.area_lights.empty()) {
     notes.push_back({fmt::format("lights[{}]", scene.area_lights.front().light),
                      "has a size, which --engine path alone draws: here it shines from its centre"});
@@ -220,6 +219,9 @@ Result<void> draw(const Scene& scene, const RenderOptions& options, Workshop& wo
     auto drawn = draw_paths(*aovs, options, *target, workshop, result);
     result.times.total = milliseconds(Clock::now() - begin);
     return drawn;
+  }
+  if (auto done = lay_surroundings(scene, workshop.surroundings, options.threads, prepared); !done) {  // scene/surroundings.cpp
+    return done;
   }
   note_what_is_approximated(prepared, result.notes);
   if (options.engine == Engine::reference) {

@@ -7,6 +7,7 @@
 #include "raster/row_runs.hpp"
 #include "raster/row_shade.hpp"
 #include "raster/row_sheets.hpp"
+#include "scene/sky.hpp"
 #include "simd/lanes.hpp"
 
 // What a kernel fills is not cleared first.
@@ -149,7 +150,6 @@ inline void store_sums(const Shader& shader, const WaitingPixel& waiting, PixelS
   const Frame& frame = shader.frame;
   TileScratch& s = shader.s;
   const auto samples = static_cast<float>(frame.pattern.size());
-  const std::array<float, 4>& background = frame.scene->background;
   Pixel& pixel = sums.pixel;
   alignas(64) std::array<float, TileScratch::terms> sum;
   sums.terms.store_to(sum.data());
@@ -158,10 +158,10 @@ inline void store_sums(const Shader& shader, const WaitingPixel& waiting, PixelS
   pixel.fog = sum_of(TileScratch::fog);
   pixel.coverage = sums.covered / samples;
   pixel.uncovered = waiting.uncovered / samples;
-  pixel.background = Vec3f{background[0], background[1], background[2]} * pixel.uncovered;
-  pixel.alpha = pixel.coverage + background[3] * pixel.uncovered;
   const int x = s.area.left + waiting.x;
   const int y = s.area.top + waiting.y;
+  pixel.background = background_at(*frame.scene, x, y) * pixel.uncovered;
+  pixel.alpha = pixel.coverage + frame.scene->background[3] * pixel.uncovered;
   store_color(frame, x, y, (pixel.terms.sum() + pixel.fog) + pixel.background, pixel.alpha);
   if (frame.wants_all) {
     frame.store_layers(frame, pixel, s.light_parts, x, y);
@@ -282,8 +282,38 @@ inline HWY_NOINLINE bool find_sheets(const Frame& frame, std::size_t tile, TileS
   return true;
 }
 
+/// The same where an environment is seen.
+inline HWY_NOINLINE void store_sky(const Frame& frame, int x, int y, std::size_t count) {
+  const PreparedScene& scene = *frame.scene;
+  const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.view.width) + static_cast<std::size_t>(x);
+  alignas(64) std::array<std::uint32_t, kLanes> words;
+  alignas(64) std::array<std::array<float, kLanes>, 3> rgb;
+  for (std::size_t i = 0; i < count; i += kLanes) {
+    const Float at_x = to_float(lane_numbers() + Int(x + static_cast<int>(i))) + Float(0.5F);
+    const Vec3<Float> color = sky_at<LaneFetch>(scene.view, *scene.sky, at_x, Float(static_cast<float>(y) + 0.5F));
+    const std::size_t rest = count - i < kLanes ? count - i : kLanes;
+    if (frame.bytes != nullptr) {
+      store_words(frame, color, words.data());
+      std::memcpy(frame.bytes + 4 * (first + i), words.data(), 4 * rest);
+    }
+    if (frame.color != nullptr) {
+      store(rgb[0].data(), color.x);
+      store(rgb[1].data(), color.y);
+      store(rgb[2].data(), color.z);
+      for (std::size_t lane = 0; lane < rest; ++lane) {
+        const std::array<float, 4> pixel{rgb[0][lane], rgb[1][lane], rgb[2][lane], 1};
+        std::memcpy(frame.color + 4 * (first + i + lane), pixel.data(), sizeof pixel);
+      }
+    }
+  }
+}
+
 /// Pixels x .. x + count of row y show the background.
 HWY_INLINE void store_background(const Frame& frame, int x, int y, std::size_t count) {
+  if (HWY_UNLIKELY(frame.scene->sky.has_value())) {
+    store_sky(frame, x, y, count);
+    return;
+  }
   const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.scene->view.width) + static_cast<std::size_t>(x);
   if (frame.bytes != nullptr) {
     for (std::size_t i = 0; i < count; ++i) {

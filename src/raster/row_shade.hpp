@@ -93,7 +93,7 @@ template <class N, class Visit>
 inline Shaded evaluate(const PreparedScene& scene, const ShadingMaterial& material, const Surface<Float>& surface,
                        const Coefficients<Float, N>& k, const float* seen, const Mapped* after, Visit&& visit) {
   Shaded result;
-  result.terms = light_surface(material.lighting, surface, k, scene.ambient, scene.lights, scene.shading.normalized, SeenAt{seen},
+  result.terms = light_surface(material.lighting, surface, k, scene.surrounding_light(), scene.lights, scene.shading.normalized, SeenAt{seen},
                                [&](std::size_t i, const Incident<Float>&, const LightTerms<Float>& part) {
                                  if (after != nullptr) {
                                    const MapFactors<Float>& by = after->factors;
@@ -102,11 +102,11 @@ inline Shaded evaluate(const PreparedScene& scene, const ShadingMaterial& materi
                                    visit(i, (part.ambient + part.diffuse) + part.specular);
                                  }
                                });
-  Terms<Float> unlit{k.ambient * vec_cast<Float>(scene.ambient), k.diffuse, {}, k.emission};  // what no light brings
+  Terms<Float> unlit = unlit_terms(material.lighting, surface.normal, k, scene.surrounding_light());
   if (after != nullptr) {
     modulate(after->factors, unlit);
   }
-  result.scene_part = material.lighting != Lighting::constant ? unlit.ambient + unlit.emission : unlit.diffuse;
+  result.scene_part = (unlit.ambient + unlit.diffuse) + unlit.emission;
   return result;
 }
 
@@ -308,7 +308,7 @@ HWY_INLINE void light_surfaces(const Run& run, const Strip& strip, Visit&& visit
         const Coefficients<Float, LaneExponent<Float>> varying{k.ambient, k.diffuse, k.specular, k.emission, {load(&strip.shininess[i])}};
         terms = evaluate(scene, material, surface, varying, seen + i, nullptr, ignore).terms;
       } else {
-        terms = light_surface(material.lighting, surface, k, scene.ambient, scene.lights, scene.shading.normalized, SeenAt{seen + i},
+        terms = light_surface(material.lighting, surface, k, scene.surrounding_light(), scene.lights, scene.shading.normalized, SeenAt{seen + i},
                               [](std::size_t, const Incident<Float>&, const LightTerms<Float>&) {});
       }
       if (material.maps.reflects) {
@@ -318,7 +318,7 @@ HWY_INLINE void light_surfaces(const Run& run, const Strip& strip, Visit&& visit
       terms = evaluate(scene, material, surface, tinted(material.coefficients, Strip::get(strip.tint, i)), seen + i, nullptr, ignore).terms;
     } else {
       terms = light_surface(
-          material.lighting, surface, material.coefficients, scene.ambient, scene.lights, scene.shading.normalized,
+          material.lighting, surface, material.coefficients, scene.surrounding_light(), scene.lights, scene.shading.normalized,
           [reflections](std::size_t l) -> const Reflection<float>& { return reflections[l]; }, SeenAt{seen + i},
           [](std::size_t, const Incident<Float>&, const LightTerms<Float>&) {});
     }

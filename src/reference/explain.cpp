@@ -10,6 +10,7 @@
 #include "reference/pixel.hpp"
 #include "reference/triangle.hpp"
 #include "reference/visibility.hpp"
+#include "scene/surroundings.hpp"
 
 namespace lustro {
 namespace {
@@ -23,6 +24,10 @@ Result<Explanation> take_apart(const Scene& scene, int x, int y) {
   auto prepared = prepare(scene);
   if (!prepared) {
     return tl::unexpected(prepared.error());
+  }
+  EnvironmentCache surroundings;
+  if (const auto laid = lay_surroundings(scene, surroundings, 0, *prepared); !laid) {
+    return tl::unexpected(laid.error());
   }
   draw_depth_maps(*prepared, prepared->shadows, 0);
   const std::vector<ScreenTriangle> triangles = setup_triangles(*prepared, 0);

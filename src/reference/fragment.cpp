@@ -68,7 +68,8 @@ Evaluation evaluate(const Face& face, const Surface<float>& surface, const Coeff
     result.light_parts.resize(scene.lights.size());
   }
   result.terms = light_surface(
-      face.material.lighting, surface, k, scene.ambient, scene.lights, scene.shading.normalized, [seen](std::size_t i) { return seen[i]; },
+      face.material.lighting, surface, k, scene.surrounding_light(), scene.lights, scene.shading.normalized,
+      [seen](std::size_t i) { return seen[i]; },
       [&](std::size_t i, const Incident<float>& in, const LightTerms<float>& part) {
         if (wants_lights) {
           LightTerms<float> mapped = part;
@@ -97,11 +98,11 @@ Evaluation evaluate(const Face& face, const Surface<float>& surface, const Coeff
                                          .specular = part.specular});
         }
       });
-  Terms<float> unlit{k.ambient * scene.ambient, k.diffuse, {}, k.emission};  // what no light brings
+  Terms<float> unlit = unlit_terms(face.material.lighting, surface.normal, k, scene.surrounding_light());
   if (after != nullptr) {
     modulate(after->factors, unlit);
   }
-  result.scene_part = face.material.lighting != Lighting::constant ? unlit.ambient + unlit.emission : unlit.diffuse;
+  result.scene_part = (unlit.ambient + unlit.diffuse) + unlit.emission;
   if (explanation != nullptr) {
     explanation->position = vec_cast<float>(vec_cast<double>(surface.position) + scene.view.eye);
     explanation->normal = surface.normal;
@@ -111,6 +112,8 @@ Evaluation evaluate(const Face& face, const Surface<float>& surface, const Coeff
     explanation->specular = result.terms.specular;
     explanation->emission = result.terms.emission;
     explanation->scene_ambient = face.material.lighting == Lighting::constant ? Vec3f{} : k.ambient * scene.ambient;
+    explanation->environment =
+        scene.around && face.material.lighting != Lighting::constant ? k.diffuse * light_around(*scene.around, surface.normal) : Vec3f{};
   }
   return result;
 }

@@ -5,6 +5,7 @@
 
 #include "reference/opacity.hpp"
 #include "scene/samples.hpp"
+#include "scene/sky.hpp"
 
 namespace lustro {
 namespace {
@@ -138,7 +139,7 @@ Pixel resolve_pixel(const PreparedScene& scene, const std::vector<ScreenTriangle
   }
   pixel.coverage = covered / samples;
   pixel.uncovered = shown.uncovered / samples;
-  pixel.background = Vec3f{scene.background[0], scene.background[1], scene.background[2]} * pixel.uncovered;
+  pixel.background = background_at(scene, x, y) * pixel.uncovered;
   pixel.alpha = pixel.coverage + scene.background[3] * pixel.uncovered;
   return pixel;
 }

@@ -426,6 +426,8 @@ Result<void> prepare(const Scene& scene, MeshCache& cache, int threads, Prepared
     add_light(prepared, light, scene.shading.terms);
   }
   prepared.environment.reset();
+  prepared.around.reset();
+  prepared.sky.reset();
   if (scene.environment) {
     auto environment = prepare_environment(*scene.environment, prepared.transfer);
     if (!environment) {

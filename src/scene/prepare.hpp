@@ -14,6 +14,7 @@
 #include "scene/depth_maps.hpp"
 #include "scene/mesh_cache.hpp"
 #include "scene/view.hpp"
+#include "shade/environment.hpp"
 #include "shade/fog.hpp"
 #include "shade/lighting.hpp"
 #include "shade/opacity.hpp"
@@ -100,10 +101,14 @@ struct PreparedScene {
   Vec3f ambient;
   std::optional<ShadingFog> fog;
   std::optional<PreparedEnvironment> environment;
-  DepthMaps shadows;                  ///< one map a light, or none where the scene has no shadows
-  std::array<float, 4> background{};  ///< linear, premultiplied
+  std::optional<ShadingEnvironment> around;  ///< the environment's diffuse light, where it is laid around: scene/surroundings.hpp
+  std::optional<ShadingMap> sky;             ///< what is seen of it in place of the background, likewise
+  DepthMaps shadows;                         ///< one map a light, or none where the scene has no shadows
+  std::array<float, 4> background{};         ///< linear, premultiplied; where there is a sky its alpha, 1, counts alone
   std::uint32_t triangle_count = 0;
   Notes notes;
+
+  [[nodiscard]] SurroundingLight surrounding_light() const { return {ambient, around ? &*around : nullptr}; }
 };
 
 /// errors  usage where something does not fit together (an object without a mesh, a singular matrix, a camera that cannot see); limit for more

@@ -1,9 +1,9 @@
-// What is seen of an environment behind everything else.
+// What is seen behind everything else.
 #pragma once
 
 #include <array>
 
-#include "scene/view.hpp"
+#include "scene/prepare.hpp"
 #include "shade/reflection.hpp"
 #include "shade/texturing.hpp"
 
@@ -15,6 +15,14 @@ Vec3<F> sky_at(const View& view, const ShadingMap& sky, const F& x, const F& y) 
   const Vec3<F> to_eye = view.to_eye_at(x, y);
   const std::array<Vec3<F>, 2> change = view.to_eye_slopes_at(x, y);
   return look_up<Fetch>(sky, on_sphere(DirectionSlopes<F>{-to_eye, -change[0], -change[1]})).rgb;
+}
+
+/// What pixel (x, y) shows where nothing covers it, premultiplied.
+inline Vec3f background_at(const PreparedScene& scene, int x, int y) {
+  if (scene.sky) {
+    return sky_at<TexelReader>(scene.view, *scene.sky, static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+  }
+  return {scene.background[0], scene.background[1], scene.background[2]};
 }
 
 }  // namespace lustro

@@ -50,7 +50,9 @@ bool has_highlight(const ShadingMaterial& material) {
 
 void EnvironmentCache::use(const std::shared_ptr<const Image>& picture) {
   if (picture != picture_) {
-    *this = {};
+    diffuse_.reset();
+    sharp_.reset();
+    blurred_.clear();
     picture_ = picture;
   }
 }
@@ -60,6 +62,19 @@ const ShadingEnvironment& EnvironmentCache::diffuse(int threads) {
     diffuse_ = diffuse_light(*picture_, threads);
   }
   return *diffuse_;
+}
+
+Result<std::shared_ptr<const Texture>> EnvironmentCache::white() {
+  if (white_ == nullptr) {
+    Image one(1, 1, 3);
+    std::fill(one.pixels.begin(), one.pixels.end(), 1.0F);
+    auto texture = make_texture(one, 1);
+    if (!texture) {
+      return texture;
+    }
+    white_ = *std::move(texture);
+  }
+  return white_;
 }
 
 Result<std::shared_ptr<const Texture>> EnvironmentCache::sharp(int threads) {
@@ -86,16 +101,17 @@ Result<std::shared_ptr<const Texture>> EnvironmentCache::blurred(float n, int th
   return texture;
 }
 
-Result<void> lay_surroundings(const Environment& environment, EnvironmentCache& cache, int threads, PreparedScene& prepared) {
+Result<void> lay_surroundings(const Scene& scene, EnvironmentCache& cache, int threads, PreparedScene& prepared) {
+  if (!scene.environment) {
+    return {};
+  }
+  const Environment& environment = *scene.environment;
   const Vec3f& gain = prepared.environment->color;
-  std::shared_ptr<const Image> picture = environment.picture;
-  if (picture == nullptr) {
-    Image one(1, 1, 3);
-    std::fill(one.pixels.begin(), one.pixels.end(), 1.0F);
-    picture = std::make_shared<const Image>(std::move(one));
+  const bool is_plain = environment.picture == nullptr;
+  if (is_plain) {
     prepared.around = diffuse_light(gain);
   } else {
-    cache.use(picture);
+    cache.use(environment.picture);
     prepared.around = turned(cache.diffuse(threads), environment.rotation);
     for (Vec3f& part : prepared.around->of) {
       part = part * gain;
@@ -104,20 +120,13 @@ Result<void> lay_surroundings(const Environment& environment, EnvironmentCache& 
   const auto map_of = [&](Result<std::shared_ptr<const Texture>> texture, const Vec3f& by) {
     return std::move(texture).map([&](std::shared_ptr<const Texture>&& t) { return sphere_map(std::move(t), by, environment.rotation); });
   };
-  std::shared_ptr<const Texture> plain;  // of a sky of one colour
-  if (environment.picture == nullptr) {
-    auto texture = make_texture(*picture, threads);
-    if (!texture) {
-      return tl::unexpected(std::move(texture).error());
-    }
-    plain = *std::move(texture);
-  }
-  if (environment.visible) {
-    auto sky = map_of(plain != nullptr ? plain : cache.sharp(threads), gain);
+  if (environment.visible && !scene.image.transparent) {
+    auto sky = map_of(is_plain ? cache.white() : cache.sharp(threads), gain);
     if (!sky) {
       return tl::unexpected(std::move(sky).error());
     }
     prepared.sky = *std::move(sky);
+    prepared.background = {0, 0, 0, 1};
   }
   for (ShadingMaterial& material : prepared.materials) {
     if (material.maps.reflects || !has_highlight(material)) {
@@ -127,9 +136,9 @@ Result<void> lay_surroundings(const Environment& environment, EnvironmentCache& 
     const float stated = material.coefficients.shininess.n;
     const float n = material.lighting == Lighting::phong ? stated : stated / 4;
     const bool keeps_energy = mirrors || prepared.shading.normalized || material.lighting == Lighting::ggx;
-    auto map = map_of(plain != nullptr ? plain
-                      : mirrors        ? cache.sharp(threads)
-                                       : cache.blurred(n, threads),
+    auto map = map_of(is_plain  ? cache.white()
+                      : mirrors ? cache.sharp(threads)
+                                : cache.blurred(n, threads),
                       keeps_energy ? gain : gain * (2 / (n + 1)));
     if (!map) {
       return tl::unexpected(std::move(map).error());

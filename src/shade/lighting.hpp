@@ -1,7 +1,7 @@
 // THE lighting equation: the only place where light meets surface. F is a lane type: float for the reference, N floats for a kernel.
 // shade/lighting.glsl is its mirror, line for line.
 //
-//   I = k_e + k_a I_a + sum_i f_i s_i [ k_a l_a + v_i (k_d l_d max(N.L, 0) + k_s l_s spec) ]
+//   I = k_e + k_a I_a + k_d E + sum_i f_i s_i [ k_a l_a + v_i (k_d l_d max(N.L, 0) + k_s l_s spec) ]
 //
 //   spec = 0                    lambert      Lambert 1760
 //          max(R.V, 0)^n        phong        Phong 1975, R = 2 (N.L) N - L
@@ -10,6 +10,9 @@
 //
 //   v_i is the share of the light that is not in shadow (shade/depth_map.hpp), 1 where there are no shadows, as in the shader: what light i
 //   brings directly vanishes in its shadow; its ambient colour stays, which stands for what it brings by way of all other surfaces.
+//
+//   E is what a white Lambert surface shows under the scene's environment (shade/environment.hpp), 0 where there is none, as in the shader. The
+//   environment's highlights are reflection maps (scene/surroundings.hpp).
 //
 //   ggx: k_d (1 - F) in place of k_d, and k_s spec = F D Vis max(N.L, 0), the microfacets of glTF 2.0, appendix B; see reflect_ggx()
 //
@@ -24,6 +27,7 @@
 #include "lustro/vec.hpp"
 #include "math/lane.hpp"
 #include "math/power.hpp"
+#include "shade/environment.hpp"
 
 namespace lustro {
 
@@ -270,16 +274,38 @@ LUSTRO_INLINE LightTerms<F> reflect_ggx(const Surface<F>& s, const Reflection<K>
   return part;
 }
 
+/// What reaches a point from all around, and from no light.
+struct SurroundingLight {
+  Vec3f ambient;                                    ///< I_a
+  const ShadingEnvironment* environment = nullptr;  ///< E; null: none
+
+  SurroundingLight(const Vec3f& ambient_, const ShadingEnvironment* environment_ = nullptr)  // NOLINT(google-explicit-constructor)
+      : ambient(ambient_), environment(environment_) {}
+};
+
+/// What no light brings: k_a I_a, k_d E, k_e; of `constant` k_d alone.
+template <class F, class K, class N>
+LUSTRO_INLINE Terms<F> unlit_terms(Lighting model, const Vec3<F>& normal, const Coefficients<K, N>& k, const SurroundingLight& around) {
+  if (model == Lighting::constant) {
+    return {{}, vec_cast<F>(k.diffuse), {}, {}};
+  }
+  Terms<F> terms{vec_cast<F>(k.ambient * vec_cast<K>(around.ambient)), {}, {}, vec_cast<F>(k.emission)};
+  if (around.environment != nullptr) {
+    terms.diffuse = vec_cast<F>(k.diffuse) * light_around(*around.environment, normal);
+  }
+  return terms;
+}
+
 /// The whole equation at one point. reflection_at(i) is reflection_of() light i, visibility_at(i) the v of a light that has a shadow;
 /// visit(i, incident, part) sees every light's part, in order.
 template <Lighting model, class F, class K, class N, class ReflectionAt, class VisibilityAt, class Visit>
-LUSTRO_INLINE Terms<F> light_surface(const Surface<F>& s, const Coefficients<K, N>& k, const Vec3f& ambient_light,
+LUSTRO_INLINE Terms<F> light_surface(const Surface<F>& s, const Coefficients<K, N>& k, const SurroundingLight& around,
                                      std::span<const ShadingLight> lights, bool normalized, ReflectionAt&& reflection_at,
                                      VisibilityAt&& visibility_at, Visit&& visit) {
   if constexpr (model == Lighting::constant) {
-    return {{}, vec_cast<F>(k.diffuse), {}, {}};
+    return unlit_terms(model, s.normal, k, around);
   } else {
-    Terms<F> terms{vec_cast<F>(k.ambient * vec_cast<K>(ambient_light)), {}, {}, vec_cast<F>(k.emission)};
+    Terms<F> terms = unlit_terms(model, s.normal, k, around);
     for (std::size_t i = 0; i < lights.size(); ++i) {
       Incident<F> in = incident_light(lights[i], s.position);
       LightTerms<F> part;
@@ -304,38 +330,38 @@ LUSTRO_INLINE Terms<F> light_surface(const Surface<F>& s, const Coefficients<K, 
 
 /// The same with the model chosen at run time.
 template <class F, class K, class N, class ReflectionAt, class VisibilityAt, class Visit>
-LUSTRO_INLINE Terms<F> light_surface(Lighting model, const Surface<F>& s, const Coefficients<K, N>& k, const Vec3f& ambient_light,
+LUSTRO_INLINE Terms<F> light_surface(Lighting model, const Surface<F>& s, const Coefficients<K, N>& k, const SurroundingLight& around,
                                      std::span<const ShadingLight> lights, bool normalized, ReflectionAt&& reflection_at,
                                      VisibilityAt&& visibility_at, Visit&& visit) {
   switch (model) {
     case Lighting::constant:
-      return light_surface<Lighting::constant>(s, k, ambient_light, lights, normalized, reflection_at, visibility_at, visit);
+      return light_surface<Lighting::constant>(s, k, around, lights, normalized, reflection_at, visibility_at, visit);
     case Lighting::lambert:
-      return light_surface<Lighting::lambert>(s, k, ambient_light, lights, normalized, reflection_at, visibility_at, visit);
+      return light_surface<Lighting::lambert>(s, k, around, lights, normalized, reflection_at, visibility_at, visit);
     case Lighting::phong:
-      return light_surface<Lighting::phong>(s, k, ambient_light, lights, normalized, reflection_at, visibility_at, visit);
+      return light_surface<Lighting::phong>(s, k, around, lights, normalized, reflection_at, visibility_at, visit);
     case Lighting::ggx:
-      return light_surface<Lighting::ggx>(s, k, ambient_light, lights, normalized, reflection_at, visibility_at, visit);
+      return light_surface<Lighting::ggx>(s, k, around, lights, normalized, reflection_at, visibility_at, visit);
     case Lighting::blinn_phong:
       break;
   }
-  return light_surface<Lighting::blinn_phong>(s, k, ambient_light, lights, normalized, reflection_at, visibility_at, visit);
+  return light_surface<Lighting::blinn_phong>(s, k, around, lights, normalized, reflection_at, visibility_at, visit);
 }
 
 /// The same from the coefficients alone.
 template <class F, class N, class VisibilityAt, class Visit>
-LUSTRO_INLINE Terms<F> light_surface(Lighting model, const Surface<F>& s, const Coefficients<F, N>& k, const Vec3f& ambient_light,
+LUSTRO_INLINE Terms<F> light_surface(Lighting model, const Surface<F>& s, const Coefficients<F, N>& k, const SurroundingLight& around,
                                      std::span<const ShadingLight> lights, bool normalized, VisibilityAt&& visibility_at, Visit&& visit) {
   return light_surface(
-      model, s, k, ambient_light, lights, normalized, [&](std::size_t i) { return reflection_of(k, lights[i]); }, visibility_at, visit);
+      model, s, k, around, lights, normalized, [&](std::size_t i) { return reflection_of(k, lights[i]); }, visibility_at, visit);
 }
 
 /// The same without shadows.
 template <class F, class N, class Visit>
-LUSTRO_INLINE Terms<F> light_surface(Lighting model, const Surface<F>& s, const Coefficients<F, N>& k, const Vec3f& ambient_light,
+LUSTRO_INLINE Terms<F> light_surface(Lighting model, const Surface<F>& s, const Coefficients<F, N>& k, const SurroundingLight& around,
                                      std::span<const ShadingLight> lights, bool normalized, Visit&& visit) {
   return light_surface(
-      model, s, k, ambient_light, lights, normalized, [](std::size_t) { return F(1); }, visit);
+      model, s, k, around, lights, normalized, [](std::size_t) { return F(1); }, visit);
 }
 
 }  // namespace lustro
