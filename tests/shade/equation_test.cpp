@@ -36,7 +36,7 @@ TEST(Equation, LightsAddUpInTheirOrderAndVisitSeesEveryPart) {
           EXPECT_EQ(i, next++);
           EXPECT_EQ(in.attenuation, incident_light(lights[i], s.position).attenuation);
           const std::vector<ShadingLight> alone{lights[i]};
-          const Terms<float> single = light_surface(Lighting::phong, s, k, {0, 0, 0}, alone, false, kNobody);
+          const Terms<float> single = light_surface(Lighting::phong, s, k, Vec3f{0, 0, 0}, alone, false, kNobody);
           EXPECT_EQ(part.ambient, single.ambient);
           EXPECT_EQ(part.diffuse, single.diffuse);
           EXPECT_EQ(part.specular, single.specular);
@@ -149,7 +149,7 @@ double ggx_albedo(float n, float k_d, float k_s, double eye_degrees) {
       const double phi = (spoke + 0.5) / kSpokes * 2 * textbook::kPi;
       white.travel = vec_cast<float>(Vec3d{-std::sin(theta) * std::cos(phi), -std::sin(theta) * std::sin(phi), -std::cos(theta)});
       const std::vector<ShadingLight> lights{white};
-      sum += static_cast<double>(light_surface(Lighting::ggx, s, k, {}, lights, false, kNobody).sum().x) * std::sin(theta);
+      sum += static_cast<double>(light_surface(Lighting::ggx, s, k, Vec3f{}, lights, false, kNobody).sum().x) * std::sin(theta);
     }
   }
   return sum * (textbook::kPi / 2 / kRings) * (2 * textbook::kPi / kSpokes) / textbook::kPi;

@@ -496,7 +496,7 @@ TEST(Lighting, VisitSeesEachLightsPartInOrder) {
   Light dim = bulb(2, {.constant = 4});
   dim.ambient.rgb = {0.5F, 0.5F, 0.5F};
   std::vector<float> attenuation, ambient, diffuse, specular;
-  light_surface(Lighting::phong, kFlatOnTheTable, white(1), {1, 1, 1}, ready({sun({0, 0, 1}), dim}), false,
+  light_surface(Lighting::phong, kFlatOnTheTable, white(1), Vec3f{1, 1, 1}, ready({sun({0, 0, 1}), dim}), false,
                 [&](std::size_t i, const Incident<float>& in, const LightTerms<float>& part) {
                   EXPECT_EQ(i, attenuation.size());
                   attenuation.push_back(in.attenuation);
