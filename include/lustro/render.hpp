@@ -106,7 +106,7 @@ struct RenderStats {
 /// the tiles, divided between them as the threads' own time was.
 struct RenderTimes {
   double prepare = 0;     ///< camera, matrices, lights; clusters of meshes that are new to the renderer
-  double shadows = 0;     ///< maps of depths, of shadows and of occlusion
+  double shadows = 0;     ///< maps of depths, of shadows
   double cull = 0;        ///< clusters against the picture, and their tiles
   double visibility = 0;  ///< vertices, triangles, depth
   double shading = 0;     ///< light, samples to pixels, pixels to bytes
@@ -170,7 +170,6 @@ struct ShadingExplanation {
   Vec3f ambient, diffuse, specular, emission;  ///< sums over the lights (clamped at the vertex for `gouraud`)
   Vec3f scene_ambient;                         ///< k_a I_a, part of ambient
   Vec3f environment;                           ///< k_d E, part of diffuse: the scene's environment
-  float openness = 1;                          ///< the share of the ambient light that `occlusion` lets through; k_a is multiplied by it
   std::vector<LightExplanation> lights;
 };
 

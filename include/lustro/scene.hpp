@@ -26,19 +26,6 @@ struct ShadowSettings {
   int softness = 0;  ///< texels by which an edge is blurred on either side, 0..16
 };
 
-/// The key `occlusion`: the ambient light of a place is dimmed by what stands around it.
-struct OcclusionSettings {
-  int samples = 64;     ///< directions that are looked into, 8..1024
-  double strength = 1;  ///< how much of the dimming is kept, 0..1
-  int size = 512;       ///< texels a side of a direction's map of depths, 16..8192
-};
-
-/// The key `ground`: a level floor under the scene that shows nothing but the shadows on it.
-struct Ground {
-  std::optional<double> height{};  ///< y, world; nothing: the lowest point of the scene
-  double strength = 1;             ///< how dark its darkest shadows are, 0..1
-};
-
 /// The key `image`.
 struct ImageSettings {
   int width = 1024;  ///< pixels, 1..16384
@@ -144,8 +131,6 @@ struct Scene {
   std::optional<std::vector<Light>> lights{};  ///< nothing: a default rig that moves with the camera; empty: no light
   std::optional<Fog> fog{};
   std::optional<ShadowSettings> shadow{};        ///< nothing: every light reaches every surface that faces it
-  std::optional<OcclusionSettings> occlusion{};  ///< nothing: the ambient light is the same everywhere
-  std::optional<Ground> ground{};                ///< nothing: no floor
   std::optional<Environment> environment{};
   std::vector<Object> objects{};
 };

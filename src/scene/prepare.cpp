@@ -444,12 +444,6 @@ Result<void> prepare(const Scene& scene, MeshCache& cache, int threads, Prepared
       return planned;
     }
   }
-  if (scene.occlusion) {
-    prepared.notes.push_back({"occlusion", "is not drawn yet: the ambient light is the same everywhere"});
-  }
-  if (scene.ground) {
-    prepared.notes.push_back({"ground", "is not drawn yet: there is no floor"});
-  }
   prepared.ambient = linear_rgb(scene.ambient, prepared.transfer);
   prepared.fog = scene.fog ? std::optional(prepare_fog(*scene.fog, prepared.transfer)) : std::nullopt;
   const float alpha = scene.image.transparent ? 0 : scene.image.background_alpha;
