@@ -1,5 +1,5 @@
-// bench_shadows SUBJECT [SECONDS]: a frame with shadows beside the same frame without, one directional light, a map of 2048 texels a side. The picture is checked first: the
-// reference draws the same floats.
+// bench_shadows SUBJECT [SECONDS]: a frame with shadows beside the same frame without, one directional light, a map of 2048 texels a side. The
+// picture is checked first: the reference draws the same floats.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>

@@ -1,6 +1,7 @@
 // Lustro: lights and shades triangle meshes on the CPU. This header is the whole public face.
 #pragma once
 
+#include "lustro/approximation.hpp"
 #include "lustro/image.hpp"
 #include "lustro/material.hpp"
 #include "lustro/mesh.hpp"

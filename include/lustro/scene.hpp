@@ -130,7 +130,7 @@ struct Scene {
   Color ambient{{0.2F, 0.2F, 0.2F}};           ///< I_a
   std::optional<std::vector<Light>> lights{};  ///< nothing: a default rig that moves with the camera; empty: no light
   std::optional<Fog> fog{};
-  std::optional<ShadowSettings> shadow{};        ///< nothing: every light reaches every surface that faces it
+  std::optional<ShadowSettings> shadow{};  ///< nothing: every light reaches every surface that faces it
   std::optional<Environment> environment{};
   std::vector<Object> objects{};
 };

@@ -34,7 +34,8 @@ Scene random_scene(unsigned seed) {
     object.matrix.m = {
         size, 0.3 * number(), 0, 2 * number(), 0, random() % 4 == 0 ? -size : size, 0.2 * number(), number(), 0, 0, size, 2 * number(), 0, 0, 0,
         1};
-    object.material = Material{.specular = {{0.4F, 0.4F, 0.4F}}, .shininess = 20, .opacity = random() % 3 == 0 ? 0.3F + 0.1F * static_cast<float>(i % 5) : 1.0F};
+    object.material = Material{
+        .specular = {{0.4F, 0.4F, 0.4F}}, .shininess = 20, .opacity = random() % 3 == 0 ? 0.3F + 0.1F * static_cast<float>(i % 5) : 1.0F};
     object.material->alpha_mode = static_cast<AlphaMode>(random() % 3);
     scene.objects.push_back(object);
   }

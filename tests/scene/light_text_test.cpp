@@ -41,7 +41,8 @@ TEST(LightText, ASpotLightIsAPositionADirectionAndItsCone) {
 
 TEST(LightText, SaysWhatIsWrong) {
   EXPECT_EQ(parse_light("").error().message, "found nothing, expected a light: directional, point, spot, rectangle, disk, sphere");
-  EXPECT_EQ(parse_light("pont 1,2,3").error().message, "unknown word \"pont\", did you mean \"point\"? (known: directional, point, spot, rectangle, disk, sphere)");
+  EXPECT_EQ(parse_light("pont 1,2,3").error().message,
+            "unknown word \"pont\", did you mean \"point\"? (known: directional, point, spot, rectangle, disk, sphere)");
   EXPECT_EQ(parse_light("point 1,2").error().message, "position: found \"1,2\", expected three numbers x,y,z");
   EXPECT_EQ(parse_light("point 1,2,3 4,5,6").error().message, "found \"4,5,6\", expected key=value");
   EXPECT_EQ(parse_light("spot 0,0,0 0,0,1 cutoff=120").error().message, "cutoff: 120 is outside 0..90");

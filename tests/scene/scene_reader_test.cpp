@@ -43,7 +43,8 @@ TEST(SceneReader, RefusesUnknownKeysAndSuggestsTheNearest) {
   EXPECT_EQ(error_with(R"("fog": {"kind": "exp"})"), "fog.kind: unknown key (known: mode, density, start, end, color)");
   EXPECT_EQ(error_in_object(R"("mesh": "a", "transform": [])"), "objects[1].transform: unknown key (known: mesh, name, material, matrix)");
   EXPECT_EQ(error_with(R"("materials": {"old gold": {"difuse": 1}})"), "materials[\"old gold\"].difuse: unknown key, did you mean \"diffuse\"?");
-  EXPECT_EQ(error_with(R"("": 1)"), "[\"\"]: unknown key (known: image, camera, shading, ambient, lights, fog, environment, shadow, materials, objects)");
+  EXPECT_EQ(error_with(R"("": 1)"),
+            "[\"\"]: unknown key (known: image, camera, shading, ambient, lights, fog, environment, shadow, materials, objects)");
   EXPECT_EQ(error_with(R"("image": {"$schema": ""})").substr(0, 26), "image.$schema: unknown key");
 }
 
@@ -119,7 +120,8 @@ TEST(SceneReader, RefusesBadColours) {
 TEST(SceneReader, RefusesUnknownWordsAndSuggestsTheNearest) {
   EXPECT_EQ(error_with(R"("shading": {"lighting": "blin-phong"})"),
             "shading.lighting: unknown word \"blin-phong\", did you mean \"blinn-phong\"? (known: constant, lambert, phong, blinn-phong, ggx)");
-  EXPECT_EQ(error_in_light(R"("type": "sun")"), "lights[2].type: unknown word \"sun\" (known: directional, point, spot, rectangle, disk, sphere)");
+  EXPECT_EQ(error_in_light(R"("type": "sun")"),
+            "lights[2].type: unknown word \"sun\" (known: directional, point, spot, rectangle, disk, sphere)");
   EXPECT_EQ(error_with(R"("shading": {"terms": ["diffuse", "ambeint"]})"),
             "shading.terms[1]: unknown word \"ambeint\", did you mean \"ambient\"? (known: ambient, diffuse, specular, emission)");
   EXPECT_EQ(error_with(R"("shading": {"terms": ["diffuse", "diffuse"]})"), "shading.terms[1]: \"diffuse\" is stated twice");
