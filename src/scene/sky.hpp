@@ -17,12 +17,8 @@ Vec3<F> sky_at(const View& view, const ShadingMap& sky, const F& x, const F& y) 
   return look_up<Fetch>(sky, on_sphere(DirectionSlopes<F>{-to_eye, -change[0], -change[1]})).rgb;
 }
 
-/// What pixel (x, y) shows where nothing covers it, premultiplied.
-inline Vec3f background_at(const PreparedScene& scene, int x, int y) {
-  if (scene.sky) {
-    return sky_at<TexelReader>(scene.view, *scene.sky, static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
-  }
-  return {scene.background[0], scene.background[1], scene.background[2]};
-}
+/// What pixel (x, y) shows where nothing covers it, premultiplied. Not a template, and not in the header: the rows' instructions stay in the
+/// rows.
+[[nodiscard]] Vec3f background_at(const PreparedScene& scene, int x, int y);
 
 }  // namespace lustro
