@@ -218,7 +218,7 @@ Result<ApproximationReport> measure_approximations(const Scene& scene, const App
   Scene without_ambient = at_pixels;
   without_ambient.shading.terms.ambient = false;
 
-  const Result<Drawn> truth = painter.truth(at_pixels, options.path.bounces);
+  Result<Drawn> truth = painter.truth(at_pixels, options.path.bounces);
   if (!truth) {
     return tl::unexpected(truth.error());
   }
