@@ -31,13 +31,17 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/lustroConfig.cmake ${CMAKE_CURRENT_BIN
 # without --static.
 list(JOIN LUSTRO_PKG_CONFIG_REQUIRES ", " required)
 set(pc_requires "")
-set(pc_codecs "")
+set(pc_without_file "")
 set(pc_requires_private "")
 set(pc_libs "-lstdc++ -lm")
 if(library_type STREQUAL "STATIC_LIBRARY")
   set(pc_requires "Requires: ${required}")
-  if(meshoptimizer_FOUND) # which has no file for pkg-config
-    set(pc_codecs " -lmeshoptimizer")
+  # Those that have no file for pkg-config.
+  if(meshoptimizer_FOUND)
+    string(APPEND pc_without_file " -lmeshoptimizer")
+  endif()
+  if(embree_FOUND)
+    string(APPEND pc_without_file " -lembree3")
   endif()
 else()
   set(pc_requires_private "Requires.private: ${required}")

@@ -82,7 +82,6 @@ std::vector<std::string_view> positional_keys(LightType type) {
     case LightType::directional:
       return {"direction"};
     case LightType::point:
-      return {"position"};
     case LightType::sphere:
       return {"position"};
     case LightType::spot:

@@ -203,7 +203,8 @@ void complete_view(View& view) {
   view.depth_far = static_cast<float>(view.far);
 }
 
-AffineRows image_rows(const Mat4& m, const View& view) {
+AffineRows image_rows(const Mat4& world_from_object, const View& view) {
+  const Mat4& m = world_from_object;
   const std::array<Vec3d, 3> rows{Vec3d{m(0, 0), m(0, 1), m(0, 2)}, Vec3d{m(1, 0), m(1, 1), m(1, 2)}, Vec3d{m(2, 0), m(2, 1), m(2, 2)}};
   const Vec3d translation = Vec3d{m(0, 3), m(1, 3), m(2, 3)} - view.eye;
   const std::array<Vec3d, 3> axes{view.right * view.pixels_per_unit, view.up * -view.pixels_per_unit, view.forward};
