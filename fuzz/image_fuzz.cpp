@@ -6,6 +6,7 @@
 
 #include "image/decode.hpp"
 #include "image/pfm.hpp"
+#include "image_checks.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace lustro;
@@ -13,18 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // A sound file of a few kilobytes may well state a gigabyte of black; here that would only cost time.
   constexpr ImageLimits kLimits{.pixels = 1 << 20, .chunk_bytes = 1 << 25};
   const auto image = decode_image(bytes, "input", Transfer::srgb, kLimits);
-  if (!image) {
-    if (image.error().message.empty() || image.error().where.empty()) {
-      std::abort();
-    }
-    return 0;
-  }
-  const std::size_t floats =
-      static_cast<std::size_t>(image->width) * static_cast<std::size_t>(image->height) * static_cast<std::size_t>(image->channels);
-  if (image->width < 1 || image->height < 1 || floats != image->pixels.size()) {
-    std::abort();
-  }
-  if (format_of_content(bytes) == ImageFormat::pfm) {  // what was read can be written and read again
+  check_image(image);
+  if (image && format_of_content(bytes) == ImageFormat::pfm) {  // what was read can be written and read again
     const auto again = decode_pfm(encode_pfm(*image), "again");
     if (!again || again->width != image->width || again->height != image->height || again->channels != image->channels) {
       std::abort();

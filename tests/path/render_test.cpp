@@ -517,13 +517,19 @@ TEST(Path, TheSkyIsTheBackgroundUnlessItIsNotToBeSeen) {
 
 // --- when it stops ---------------------------------------------------------------------------------------------------------------------------
 
-TEST(Path, TheVarianceIsThatOfTheMeanAndFallsWithTheNumberOfSamples) {
-  LUSTRO_REQUIRE_PATHS();
+/// Two squares before each other under a white sky: some of its light is hidden, so that its pixels have noise.
+Scene noisy_scene() {
   Scene scene = look({0, 0, 5}, 0.5);
   scene.environment = white_sky();
   scene.objects.push_back(object(square(2), lambert(0.5F)));
   scene.objects.push_back(object(square(2), lambert(0.5F), moved(1.5, 0, 1)));
   scene.shading.two_sided = true;
+  return scene;
+}
+
+TEST(Path, TheVarianceIsThatOfTheMeanAndFallsWithTheNumberOfSamples) {
+  LUSTRO_REQUIRE_PATHS();
+  const Scene scene = noisy_scene();
   RenderOptions options;
   options.engine = Engine::path;
   options.aovs = parse_aovs("variance").value();
@@ -542,11 +548,7 @@ TEST(Path, TheVarianceIsThatOfTheMeanAndFallsWithTheNumberOfSamples) {
 
 TEST(Path, StopsWhenTheErrorIsSmallEnough) {
   LUSTRO_REQUIRE_PATHS();
-  Scene scene = look({0, 0, 5}, 0.5);
-  scene.environment = white_sky();
-  scene.objects.push_back(object(square(2), lambert(0.5F)));
-  scene.objects.push_back(object(square(2), lambert(0.5F), moved(1.5, 0, 1)));
-  scene.shading.two_sided = true;
+  const Scene scene = noisy_scene();
   RenderOptions options;
   options.engine = Engine::path;
   options.path.samples = 100000;

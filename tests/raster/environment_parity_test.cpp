@@ -73,16 +73,7 @@ TEST(Parity, Environments) {
 }
 
 TEST(Parity, EnvironmentsOfARendererThatIsUsedAgain) {
-  Renderer renderer;
-  Rendering again;
-  for (unsigned seed = 0; seed < 8; ++seed) {
-    const Scene scene = random_scene(seed);
-    ASSERT_TRUE(renderer.render(scene, {.threads = 2}, again));
-    const Result<Rendering> once = render(scene);
-    ASSERT_TRUE(once);
-    const auto found = difference(once->color, again.color, "used again " + std::to_string(seed));
-    EXPECT_FALSE(found) << *found;
-  }
+  expect_parity_when_used_again(8, random_scene);
 }
 
 /// A ball in the middle of nothing.

@@ -87,4 +87,19 @@ inline void expect_parity(const Scene& scene, const std::string& name) {
   }
 }
 
+// A renderer that draws scene after scene gives each as one that is new: nothing of the last is left in it.
+template <typename SceneOf>
+void expect_parity_when_used_again(unsigned scenes, SceneOf scene_of) {
+  Renderer renderer;
+  Rendering again;
+  for (unsigned seed = 0; seed < scenes; ++seed) {
+    const Scene scene = scene_of(seed);
+    ASSERT_TRUE(renderer.render(scene, {.threads = 2}, again));
+    const Result<Rendering> once = render(scene);
+    ASSERT_TRUE(once);
+    const auto found = difference(once->color, again.color, "used again " + std::to_string(seed));
+    EXPECT_FALSE(found) << *found;
+  }
+}
+
 }  // namespace lustro

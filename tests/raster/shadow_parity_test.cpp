@@ -66,16 +66,7 @@ TEST(Parity, Shadows) {
 }
 
 TEST(Parity, ShadowsOfARendererThatIsUsedAgain) {
-  Renderer renderer;
-  Rendering again;
-  for (unsigned seed = 0; seed < 12; ++seed) {
-    const Scene scene = random_scene(seed);
-    ASSERT_TRUE(renderer.render(scene, {.threads = 2}, again));
-    const Result<Rendering> once = render(scene);
-    ASSERT_TRUE(once);
-    const auto found = difference(once->color, again.color, "used again " + std::to_string(seed));
-    EXPECT_FALSE(found) << *found;
-  }
+  expect_parity_when_used_again(12, random_scene);
 }
 
 // Shadows are there at all, and change a part of the picture.
