@@ -1,5 +1,6 @@
 // bench_path rays SCENE [SECONDS]: the rays per second that our paths shoot beside Embree's own, asked for rays that are made before.
-// bench_path draw SCENE: draws on command, for bench/equal_quality.py, which takes turns with Mitsuba. A line `SPP SEED FILE` on standard input (FILE
+// bench_path draw SCENE: draws on command, for bench/equal_quality.py, which takes turns with Mitsuba. A line `SPP SEED FILE` on standard input
+// (FILE
 // `-`: none) brings a line of JSON with the milliseconds, and the picture as floats, four a pixel.
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
@@ -104,10 +105,10 @@ std::vector<std::vector<Question>> questions_of(const PreparedScene& scene, cons
         if (!rays.closest(ray, hit)) {
           break;
         }
-        const SurfacePlace place = place_of(scene, hit, ray.direction, true);
+        const SurfacePlace place = place_of(scene, hit, rays.met(hit), ray.direction, true);
         const Vec3f normal = place.is_front ? place.geometric_normal : -place.geometric_normal;
         const Vec3f origin = place.position + normal * place.offset;
-        const EmitterSample light = emitters.sample(origin, random.pair(3 * bounce + 3).x, random.pair(3 * bounce + 1));
+        const EmitterSample light = emitters.sample(origin, random.pair(3 * bounce + 1));
         if (light.density > 0 && dot(light.to_light, normal) > 0) {
           questions[tile].push_back({{origin, light.to_light, 0, light.distance * 0.999F}, true});
         }

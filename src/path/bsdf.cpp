@@ -54,6 +54,10 @@ Bsdf::Bsdf(const SurfacePoint& point, const ShadingMaterial& material, const Sha
   }
 
   const float diffuse = luminance_of(point.k.diffuse);
+  if (!has_mirror && specular_ == Vec3f{}) {
+    cosine_share_ = diffuse > 0 ? 1.0F : 0.0F;
+    return;
+  }
   const float lobe = luminance_of(specular_) * weight_of_lobe(lighting_, normalized_, point.k.shininess.n);
   const float mirror = luminance_of(mirror_);
   const float refraction = luminance_of(refraction_);
@@ -169,7 +173,21 @@ ScatterSample Bsdf::sample_refraction() const {
   return sample;
 }
 
+// The cosine alone: k_d cos over its density cos / pi, in our units.
+ScatterSample Bsdf::sample_diffuse(const Vec2f& u) const {
+  const Vec3f local = sample_cosine(u);
+  ScatterSample sample{.direction = Frame3(point_.surface.normal).world(local)};
+  if (dot(point_.geometric_normal, sample.direction) > 0) {
+    sample.weight.diffuse = point_.k.diffuse;
+    sample.density = local.z * kInversePiF;
+  }
+  return sample;
+}
+
 ScatterSample Bsdf::sample(float choice, const Vec2f& u) const {
+  if (cosine_share_ == 1 && lighting_ == Lighting::lambert) {
+    return sample_diffuse(u);
+  }
   if (choice < cosine_share_) {
     return sample_rough(Frame3(point_.surface.normal).world(sample_cosine(u)));
   }

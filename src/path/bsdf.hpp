@@ -39,6 +39,9 @@ class Bsdf {
   /// Whether anything is scattered but by mirrors.
   [[nodiscard]] bool is_rough() const { return cosine_share_ + lobe_share_ > 0; }
 
+  /// Whether sample() looks at its choice: there is more than the cosine.
+  [[nodiscard]] bool has_choice() const { return cosine_share_ < 1; }
+
   /// pi f cos for light from `to_light` (unit), without mirrors.
   [[nodiscard]] Reflected reflected(const Vec3f& to_light) const;
   /// The density with which sample() chooses it, without mirrors.
@@ -49,6 +52,7 @@ class Bsdf {
  private:
   [[nodiscard]] float lobe_density(const Vec3f& to_light) const;
   [[nodiscard]] Vec3f sample_lobe(const Vec2f& u) const;  // 0: nothing
+  [[nodiscard]] ScatterSample sample_diffuse(const Vec2f& u) const;
   [[nodiscard]] ScatterSample sample_rough(const Vec3f& direction) const;
   [[nodiscard]] ScatterSample sample_mirror() const;
   [[nodiscard]] ScatterSample sample_refraction() const;

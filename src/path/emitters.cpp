@@ -33,18 +33,13 @@ float luminance_of_emission(const ShadingMaterial& material) {
   return luminance_of(material.lighting == Lighting::constant ? k.diffuse : k.emission);
 }
 
-float area_of(const Face& face) {
-  const Vec3f a = face.position(0);
-  return 0.5F * length(cross(face.position(1) - a, face.position(2) - a));
+float area_of(const PlacedTriangle& triangle) {
+  return 0.5F * length(cross(triangle.b - triangle.a, triangle.c - triangle.a));
 }
 
-float power_of(const Face& face) {
-  return luminance_of_emission(face.material) * area_of(face) * (2 * kPiF);  // from both sides
-}
-
-Face face_of(const PreparedScene& scene, std::uint32_t instance, std::uint32_t triangle) {
-  const Instance& i = scene.instances[instance];
-  return {scene, i, scene.materials[i.material_of(triangle)], i.mesh->triangles[triangle], 1};
+// Of a square unit, from both sides.
+float power_of(const ShadingMaterial& material) {
+  return luminance_of_emission(material) * (2 * kPiF);
 }
 
 // The square of the radius of a ball around all vertices.
@@ -113,9 +108,14 @@ Emitters::Emitters(const PreparedScene& scene) : scene_(&scene) {
     const Instance& instance = scene.instances[i];
     const auto count = static_cast<std::uint32_t>(instance.mesh->triangles.size());
     for (std::uint32_t t = 0; t < count; ++t) {
-      if (luminance_of_emission(scene.materials[instance.material_of(t)]) > 0) {
-        triangles_.push_back({i, t});
-        powers.push_back(power_of(face_of(scene, i, t)));
+      const ShadingMaterial& material = scene.materials[instance.material_of(t)];
+      if (luminance_of_emission(material) > 0) {
+        Shining shining{.id = {i, t}, .placed = placed_triangle(scene, i, t)};
+        shining.area = area_of(shining.placed);
+        shining.is_plain = is_solid(material) && material.maps.present == 0 && instance.drawable->colors.empty();
+        shining.emission = material.lighting == Lighting::constant ? material.coefficients.diffuse : material.coefficients.emission;
+        powers.push_back(power_of(material) * shining.area);
+        triangles_.push_back(shining);
       }
     }
   }
@@ -125,58 +125,67 @@ Emitters::Emitters(const PreparedScene& scene) : scene_(&scene) {
   }
   choice_ = Choice(powers);
   all_power_ = choice_.total();
+  inverse_power_ = all_power_ > 0 ? static_cast<float>(1 / all_power_) : 0.0F;
 }
 
-EmitterSample Emitters::sample(const Vec3f& position, float choice, const Vec2f& u) const {
-  const Choice::Chosen chosen = choice_.choose(choice);
+EmitterSample Emitters::sample(const Vec3f& position, const Vec2f& u) const {
+  const Choice::Chosen chosen = choice_.choose(u.x);
+  const Vec2f rest{chosen.rest, u.y};
   EmitterSample sample;
   std::size_t i = chosen.index;
   if (i < scene_->area_lights.size()) {
-    sample = sample_area(scene_->area_lights[i], position, u);
+    sample = sample_area(scene_->area_lights[i], position, rest);
   } else if (i -= scene_->area_lights.size(); i < triangles_.size()) {
-    sample = sample_triangle_of(triangles_[i], position, u);
+    sample = sample_triangle_of(triangles_[i], position, rest);
   } else {
-    const SkySample sky = sky_->sample(u);
+    const SkySample sky = sky_->sample(rest);
     const Vec3f radiance = sky.density > 0 ? sky_->radiance(sky.direction) : Vec3f{};
-    sample = {sky.direction, kInfinity, radiance, radiance, sky.density, {}};
+    sample = {sky.direction, kInfinity, radiance, radiance, sky.density, {}, {}};
   }
   sample.density *= chosen.probability;
   return sample;
 }
 
-EmitterSample Emitters::sample_triangle_of(const TriangleId& triangle, const Vec3f& position, const Vec2f& u) const {
+EmitterSample Emitters::sample_triangle_of(const Shining& triangle, const Vec3f& position, const Vec2f& u) const {
   const Vec3f w = sample_triangle(u);
-  const Vec3f direction_unknown{};
-  SurfacePlace place = place_of(*scene_, {0, triangle.instance, triangle.triangle, w.y, w.z}, direction_unknown, false);
+  const PlacedTriangle& placed = triangle.placed;
   EmitterSample sample;
-  const Vec3f way = place.position - position;
+  const Vec3f on_it = (placed.a + (placed.b - placed.a) * w.y) + (placed.c - placed.a) * w.z;
+  const Vec3f way = on_it - position;
   const float d2 = dot(way, way);
   if (!(d2 > 0)) {
     return sample;
   }
   sample.distance = std::sqrt(d2);
-  sample.triangle = triangle;
+  sample.triangle = triangle.id;
   sample.to_light = way * (1.0F / sample.distance);
-  const float cosine = -dot(place.geometric_normal, sample.to_light);
-  place.is_front = cosine > 0;
-  if (is_culled(place) || cosine == 0) {
+  const float slope = dot(placed.normal, sample.to_light);
+  const float cosine = std::abs(slope);
+  if (!(cosine > 0)) {
     return sample;
   }
-  sample.diffuse = sample.specular = emission_of(place) * opacity_at(place, -sample.to_light);
-  sample.density = d2 / (std::abs(cosine) * area_of(place.face));
+  sample.end = on_it + placed.normal * (slope < 0 ? placed.offset : -placed.offset);
+  if (triangle.is_plain) {
+    sample.diffuse = triangle.emission;
+  } else {
+    const SurfacePlace place = place_of(*scene_, {0, triangle.id.instance, triangle.id.triangle, w.y, w.z}, placed, sample.to_light, false);
+    if (is_culled(place)) {
+      return sample;
+    }
+    sample.diffuse = emission_of(place) * opacity_at(place, -sample.to_light);
+  }
+  sample.specular = sample.diffuse;
+  sample.density = d2 / (cosine * triangle.area);
   return sample;
 }
 
+// The area of the triangle, by which it is chosen and by which its points are, cancels.
 float Emitters::density_of(const SurfacePlace& place, const Vec3f& position) const {
-  const float power = power_of(place.face);
-  if (!(power > 0) || !(all_power_ > 0)) {
-    return 0;
-  }
+  const float power = power_of(place.face.material);
   const Vec3f way = place.position - position;
   const float d2 = dot(way, way);
-  const float cosine = std::abs(dot(place.geometric_normal, way)) / std::sqrt(std::max(d2, 1e-30F));
-  const auto chosen = static_cast<float>(static_cast<double>(power) / all_power_);
-  return cosine > 0 ? chosen * d2 / (cosine * area_of(place.face)) : 0.0F;
+  const float across = std::abs(dot(place.geometric_normal, way));
+  return power > 0 && all_power_ > 0 && across > 0 ? power * inverse_power_ * (d2 * std::sqrt(d2) / across) : 0.0F;
 }
 
 std::optional<Emitters::Met> Emitters::meets_area(std::size_t i, const Vec3f& position, const Vec3f& direction, float farthest) const {

@@ -23,6 +23,7 @@ struct EmitterSample {
   Vec3f diffuse{}, specular{};  ///< the radiance that diffuse surfaces and highlights see
   float density = 0;            ///< by solid angle; 0: nothing comes from there
   TriangleId triangle{};        ///< the emitter, where it is one: it does not stand in its own way
+  Vec3f end{};                  ///< of a triangle: a place just before it, on the way
 };
 
 class Emitters {
@@ -32,8 +33,8 @@ class Emitters {
 
   [[nodiscard]] bool is_empty() const { return choice_.is_empty(); }
 
-  /// choice  which emitter; u: which point of it
-  [[nodiscard]] EmitterSample sample(const Vec3f& position, float choice, const Vec2f& u) const;
+  /// u  which emitter, and which point of it
+  [[nodiscard]] EmitterSample sample(const Vec3f& position, const Vec2f& u) const;
 
   /// The density with which sample() finds, from `position`, a place on an emitting triangle.
   [[nodiscard]] float density_of(const SurfacePlace& place, const Vec3f& position) const;
@@ -52,13 +53,22 @@ class Emitters {
   [[nodiscard]] float density_of_sky(const Vec3f& direction) const;
 
  private:
-  [[nodiscard]] EmitterSample sample_triangle_of(const TriangleId& triangle, const Vec3f& position, const Vec2f& u) const;
+  // A triangle that shines.
+  struct Shining {
+    TriangleId id;
+    PlacedTriangle placed;
+    float area = 0;
+    Vec3f emission{};       // where it is plain
+    bool is_plain = false;  // the same everywhere, from both sides
+  };
+  [[nodiscard]] EmitterSample sample_triangle_of(const Shining& triangle, const Vec3f& position, const Vec2f& u) const;
 
   const PreparedScene* scene_;
-  std::vector<TriangleId> triangles_;
+  std::vector<Shining> triangles_;
   std::optional<Sky> sky_;
   Choice choice_;  // area lights, triangles, the sky
   double all_power_ = 0;
+  float inverse_power_ = 0;
 };
 
 }  // namespace lustro

@@ -67,11 +67,19 @@ class PathRandom {
   [[nodiscard]] Vec2f pair(std::uint32_t pair) const {
     const std::uint32_t seed = mixed(seed_ + pair * 0x9E3779B9U);
     const std::uint32_t index = reversed_bits(owen_hash(reversed_sample_, seed));
-    return {unit_float(reversed_bits(owen_hash(index, mixed(seed ^ 0x68BC21EBU)))),
-            unit_float(reversed_bits(owen_hash(sobol_second_reversed(index), mixed(seed ^ 0x02E5BE93U))))};
+    return {first_of(index, seed), unit_float(reversed_bits(owen_hash(sobol_second_reversed(index), mixed(seed ^ 0x02E5BE93U))))};
+  }
+  /// The first of them alone.
+  [[nodiscard]] float one(std::uint32_t pair) const {
+    const std::uint32_t seed = mixed(seed_ + pair * 0x9E3779B9U);
+    return first_of(reversed_bits(owen_hash(reversed_sample_, seed)), seed);
   }
 
  private:
+  [[nodiscard]] static float first_of(std::uint32_t index, std::uint32_t seed) {
+    return unit_float(reversed_bits(owen_hash(index, mixed(seed ^ 0x68BC21EBU))));
+  }
+
   std::uint32_t seed_;
   std::uint32_t reversed_sample_;
 };

@@ -2,18 +2,41 @@
 // depend on who asks.
 #include "path/rays.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
+
+#include "parallel/parallel_for.hpp"
+#include "reference/face.hpp"
 
 #ifdef LUSTRO_HAS_EMBREE
 #include <embree3/rtcore.h>
 #endif
 
 namespace lustro {
+namespace {
+
+float largest_coordinate(const Vec3f& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+}  // namespace
+
+PlacedTriangle placed_triangle(const PreparedScene& scene, std::uint32_t instance, std::uint32_t triangle) {
+  const Instance& i = scene.instances[instance];
+  const Face face{scene, i, scene.materials[i.material_of(triangle)], i.mesh->triangles[triangle], 1};
+  PlacedTriangle placed{face.position(0), face.position(1), face.position(2), face.face_normal()};
+  constexpr float kRounding = 0x1p-20F;
+  placed.offset = kRounding * std::max({largest_coordinate(placed.a), largest_coordinate(placed.b), largest_coordinate(placed.c)});
+  return placed;
+}
 
 #ifdef LUSTRO_HAS_EMBREE
 
 namespace {
+
+constexpr std::size_t kPart = 4096;  // triangles that one thread looks at
 
 struct DeviceRelease {
   void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
@@ -42,8 +65,19 @@ void set_ray(RTCRay& to, const Ray& ray) {
 }  // namespace
 
 struct RayScene::State {
+  // Of one instance: what is asked of a triangle at every hit, beside the vertices, which the hierarchy keeps.
+  struct Triangle {
+    Vec3f normal;
+    float offset;
+  };
+  struct Table {
+    const Mesh* mesh = nullptr;
+    const Vec3f* positions = nullptr;
+    std::vector<Triangle> triangles;
+  };
   Device device;
   EmbreeScene scene;
+  std::vector<Table> tables;
 };
 
 Result<RayScene> RayScene::make(const PreparedScene& scene) {
@@ -55,6 +89,7 @@ Result<RayScene> RayScene::make(const PreparedScene& scene) {
   }
   state->scene.reset(rtcNewScene(state->device.get()));
   rtcSetSceneFlags(state->scene.get(), RTC_SCENE_FLAG_ROBUST);  // no ray slips through between two triangles
+  state->tables.resize(scene.instances.size());
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
     const Mesh& mesh = *instance.mesh;
@@ -73,6 +108,16 @@ Result<RayScene> RayScene::make(const PreparedScene& scene) {
     }
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0, sizeof(mesh.triangles[0]),
                                mesh.triangles.size());
+    State::Table& table = state->tables[i];
+    table.mesh = &mesh;
+    table.positions = positions;
+    table.triangles.resize(mesh.triangles.size());
+    parallel_for((mesh.triangles.size() + kPart - 1) / kPart, 0, [&](std::size_t part) {
+      for (std::size_t t = part * kPart; t < std::min((part + 1) * kPart, mesh.triangles.size()); ++t) {
+        const PlacedTriangle placed = placed_triangle(scene, i, static_cast<std::uint32_t>(t));
+        table.triangles[t] = {placed.normal, placed.offset};
+      }
+    });
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(state->scene.get(), geometry, i);
     rtcReleaseGeometry(geometry);
@@ -107,6 +152,13 @@ bool RayScene::is_blocked(const Ray& ray) const {
   return query.tfar < 0;
 }
 
+PlacedTriangle RayScene::met(const RayHit& hit) const {
+  const State::Table& table = state_->tables[hit.instance];
+  const auto& [a, b, c] = table.mesh->triangles[hit.triangle];
+  const State::Triangle& triangle = table.triangles[hit.triangle];
+  return {table.positions[a], table.positions[b], table.positions[c], triangle.normal, triangle.offset};
+}
+
 #else
 
 struct RayScene::State {};
@@ -122,6 +174,10 @@ bool RayScene::closest(const Ray& /*ray*/, RayHit& /*hit*/) const {
 
 bool RayScene::is_blocked(const Ray& /*ray*/) const {
   return false;
+}
+
+PlacedTriangle RayScene::met(const RayHit& /*hit*/) const {
+  return {};
 }
 // NOLINTEND(readability-convert-member-functions-to-static)
 

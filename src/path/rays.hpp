@@ -25,6 +25,16 @@ struct RayHit {
   float u = 0, v = 0;          ///< weights of the triangle's vertices 1 and 2
 };
 
+/// A triangle in the space of rays.
+struct PlacedTriangle {
+  Vec3f a, b, c;     ///< relative to the eye
+  Vec3f normal{};    ///< unit, on the front
+  float offset = 0;  ///< how far from it a ray must begin so that rounding does not let it meet the triangle again
+};
+
+/// Triangle `triangle` of an instance, from the mesh.
+[[nodiscard]] PlacedTriangle placed_triangle(const PreparedScene& scene, std::uint32_t instance, std::uint32_t triangle);
+
 /// The triangles of a prepared scene, ready for rays. It refers to their meshes.
 class RayScene {
  public:
@@ -40,6 +50,8 @@ class RayScene {
   [[nodiscard]] bool closest(const Ray& ray, RayHit& hit) const;
   /// Whether the ray meets any.
   [[nodiscard]] bool is_blocked(const Ray& ray) const;
+  /// What placed_triangle() says of what was met, from tables.
+  [[nodiscard]] PlacedTriangle met(const RayHit& hit) const;
 
  private:
   struct State;

@@ -91,9 +91,9 @@ struct Frame3 {
 
 /// Weights of a triangle's vertices, uniform over its area (Heitz 2019, without a root).
 [[nodiscard]] inline Vec3f sample_triangle(const Vec2f& u) {
-  const bool lower = u.x < u.y;
-  const float b0 = lower ? u.x * 0.5F : u.x - u.y * 0.5F;
-  const float b1 = lower ? u.y - u.x * 0.5F : u.y * 0.5F;
+  const float half = 0.5F * std::min(u.x, u.y);  // the two halves of the square without a branch, which nobody could predict
+  const float b0 = u.x - half;
+  const float b1 = u.y - half;
   return {b0, b1, (1.0F - b0) - b1};
 }
 
@@ -107,7 +107,8 @@ struct Frame3 {
   return 1.0F / (1.0F + ratio * ratio);
 }
 
-/// Indices chosen with a probability in proportion to their weight.
+/// Indices chosen with a probability in proportion to their weight, in a time that does not grow with their number: a table says where to look
+/// (Chen and Asau 1974, the method of guide tables).
 class Choice {
  public:
   Choice() = default;
@@ -127,7 +128,9 @@ class Choice {
   [[nodiscard]] float probability(std::uint32_t index) const { return static_cast<float>(sums_[index + 1] - sums_[index]); }
 
  private:
-  std::vector<double> sums_;  // 0 .. 1, of the weights before
+  std::vector<double> sums_;          // 0 .. 1, of the probabilities before
+  std::vector<std::uint32_t> guide_;  // the first index that is chosen by u >= i / size
+  std::uint32_t last_ = 0;            // the last with a weight
   double total_ = 0;
 };
 

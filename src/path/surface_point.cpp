@@ -42,30 +42,18 @@ Vec3f emitted(const ShadingMaterial& material, const Coefficients<float, LaneExp
   return material.lighting == Lighting::constant ? k.diffuse : k.emission;
 }
 
-float largest_coordinate(const Vec3f& v) {
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
 }  // namespace
 
-SurfacePlace place_of(const PreparedScene& scene, const RayHit& hit, const Vec3f& direction, bool lights_back) {
+SurfacePlace place_of(const PreparedScene& scene, const RayHit& hit, const PlacedTriangle& placed, const Vec3f& direction, bool lights_back) {
   const Instance& instance = scene.instances[hit.instance];
-  SurfacePlace place{.face = {scene, instance, scene.materials[instance.material_of(hit.triangle)], instance.mesh->triangles[hit.triangle], 1},
-                     .weights = {(1.0F - hit.u) - hit.v, hit.u, hit.v},
-                     .position = {},
-                     .geometric_normal = {}};
-  place.geometric_normal = place.face.face_normal();
-  place.is_front = dot(place.geometric_normal, direction) < 0;
-  if (!place.is_front && lights_back) {
-    place.face.side = -1;
-  }
-  const Vec3f a = place.face.position(0);
-  const Vec3f b = place.face.position(1);
-  const Vec3f c = place.face.position(2);
-  place.position = (a + (b - a) * hit.u) + (c - a) * hit.v;
-  constexpr float kRounding = 0x1p-20F;
-  place.offset = kRounding * std::max({largest_coordinate(a), largest_coordinate(b), largest_coordinate(c)});
-  return place;
+  const bool is_front = dot(placed.normal, direction) < 0;
+  return {.face = {scene, instance, scene.materials[instance.material_of(hit.triangle)], instance.mesh->triangles[hit.triangle],
+                   !is_front && lights_back ? -1.0F : 1.0F},
+          .weights = {(1.0F - hit.u) - hit.v, hit.u, hit.v},
+          .position = (placed.a + (placed.b - placed.a) * hit.u) + (placed.c - placed.a) * hit.v,
+          .geometric_normal = placed.normal,
+          .offset = placed.offset,
+          .is_front = is_front};
 }
 
 bool is_culled(const SurfacePlace& place) {
@@ -99,11 +87,12 @@ SurfacePoint point_of(const SurfacePlace& place, const Vec3f& to_eye) {
   if (maps.present != 0) {
     at = footprints_on<float>(face, w, kPoint);
   }
-  Vec3f normal = shading.interpolation == Interpolation::flat ? face.face_normal() : face.normal_at(shading.normals, place.weights);
+  const Vec3f face_normal = place.geometric_normal * face.side;
+  Vec3f normal = shading.interpolation == Interpolation::flat ? face_normal : face.normal_at(shading.normals, place.weights);
   if (maps.changes_normal()) {
     normal = mapped_normal<TexelReader>(face, shading.normals, w, kPoint, at, normal);
   }
-  SurfacePoint point{.surface = {place.position, normal, to_eye}, .geometric_normal = place.geometric_normal * face.side};
+  SurfacePoint point{.surface = {place.position, normal, to_eye}, .geometric_normal = face_normal};
   MapFactors<float> factors;
   point.k = coefficients_at(place, at, factors);
   point.emission = emitted(face.material, point.k);

@@ -19,8 +19,10 @@ struct SurfacePlace {  // NOLINT(cppcoreguidelines-pro-type-member-init): an agg
   bool is_front = true;      ///< the ray meets the front
 };
 
+/// placed       the triangle that was met
 /// lights_back  the back is lit with its normals turned round
-[[nodiscard]] SurfacePlace place_of(const PreparedScene& scene, const RayHit& hit, const Vec3f& direction, bool lights_back);
+[[nodiscard]] SurfacePlace place_of(const PreparedScene& scene, const RayHit& hit, const PlacedTriangle& placed, const Vec3f& direction,
+                                    bool lights_back);
 
 /// Whether the side that is met is left out (Culling).
 [[nodiscard]] bool is_culled(const SurfacePlace& place);

@@ -80,41 +80,41 @@ Ray PathTracer::camera_ray(float x, float y) const {
 bool PathTracer::find_surface(Walk& walk, Ray ray) const {
   walk.origin = ray.origin;
   walk.direction = ray.direction;
-  walk.place.reset();
   RayHit hit;
   while (true) {
     ++walk.rays;
     if (!rays_->closest(ray, hit)) {
+      walk.place.reset();
       return false;
     }
     const bool lights_back = !walk.is_camera || scene_->shading.two_sided;
-    const SurfacePlace place = place_of(*scene_, hit, ray.direction, lights_back);
-    const auto is_seen = [&] {
-      if (is_solid(place.face.material)) {
+    const SurfacePlace& place = walk.place.emplace(place_of(*scene_, hit, rays_->met(hit), ray.direction, lights_back));
+    if (is_solid_ || is_solid(place.face.material)) {
+      return true;
+    }
+    if (!is_culled(place)) {
+      const float opacity = opacity_at(place, -ray.direction);
+      if (opacity >= 1 || (opacity > 0 && walk.random.one(kOpacityPairs + walk.passed++) < opacity)) {
         return true;
       }
-      if (is_culled(place)) {
-        return false;
-      }
-      const float opacity = opacity_at(place, -ray.direction);
-      return opacity >= 1 || (opacity > 0 && walk.random.pair(kOpacityPairs + walk.passed++).x < opacity);
-    };
-    if (is_seen()) {
-      walk.place.emplace(place);
-      return true;
     }
     const float cosine = std::abs(dot(place.geometric_normal, ray.direction));
     ray.nearest = hit.distance + place.offset / std::max(cosine, 0.01F);
   }
 }
 
-// What of light from `distance` away along `direction` arrives at the walk's place. A light that is a triangle is met by the ray itself, and
-// since rounding puts it a little nearer or farther than it is, it is known by its number, its neighbours by their distance.
-float PathTracer::transmittance(Walk& walk, const Vec3f& direction, float distance, const TriangleId& light) const {
-  const bool to_triangle = light != TriangleId{};
+// What of light from `distance` away along `direction` arrives at the walk's place. Where nothing can be seen through, a triangle that shines is
+// asked for by a place just before it, so that at no angle it stands in its own way. Else it is met by the ray itself, and since rounding puts
+// it a little nearer or farther than it is, it is known by its number, its neighbours by their distance.
+float PathTracer::transmittance(Walk& walk, const Vec3f& direction, float distance, const EmitterSample* light) const {
+  const bool to_triangle = light != nullptr && light->triangle != TriangleId{};
   Ray ray{moved_off(*walk.place, direction), direction, 0, distance};
-  if (is_solid_ && !to_triangle) {
+  if (is_solid_) {
     ++walk.rays;
+    if (to_triangle) {
+      ray.direction = light->end - ray.origin;
+      ray.farthest = 1;
+    }
     return rays_->is_blocked(ray) ? 0.0F : 1.0F;
   }
   constexpr float kNeighbor = 1.0F - 0x1p-13F;
@@ -122,10 +122,11 @@ float PathTracer::transmittance(Walk& walk, const Vec3f& direction, float distan
   RayHit hit;
   while (clear > 0) {
     ++walk.rays;
-    if (!rays_->closest(ray, hit) || (to_triangle && (light == TriangleId{hit.instance, hit.triangle} || hit.distance > distance * kNeighbor))) {
+    if (!rays_->closest(ray, hit) ||
+        (to_triangle && (light->triangle == TriangleId{hit.instance, hit.triangle} || hit.distance > distance * kNeighbor))) {
       return clear;
     }
-    const SurfacePlace place = place_of(*scene_, hit, direction, true);
+    const SurfacePlace place = place_of(*scene_, hit, rays_->met(hit), direction, true);
     clear *= is_culled(place) ? 1.0F : 1.0F - opacity_at(place, -direction);
     const float cosine = std::abs(dot(place.geometric_normal, direction));
     ray.nearest = hit.distance + place.offset / std::max(cosine, 0.01F);
@@ -189,7 +190,7 @@ void PathTracer::add_delta_lights(Walk& walk, const SurfacePoint& point) const {
     }
     const float distance = light.type == LightType::directional ? kInfinity : in.distance;
     const bool throws_shadows = scene_->stated_lights[i].shadow;
-    walk.radiance += throws_shadows ? light_seen * transmittance(walk, in.to_light, distance, {}) : light_seen;
+    walk.radiance += throws_shadows ? light_seen * transmittance(walk, in.to_light, distance, nullptr) : light_seen;
   }
 }
 
@@ -205,8 +206,8 @@ void PathTracer::add_local_terms(Walk& walk, const SurfacePoint& point) const {
   }
 }
 
-void PathTracer::add_emitter(Walk& walk, const SurfacePoint& point, const Bsdf& bsdf, float choice, const Vec2f& u) const {
-  const EmitterSample light = emitters_.sample(point.surface.position, choice, u);
+void PathTracer::add_emitter(Walk& walk, const SurfacePoint& point, const Bsdf& bsdf, const Vec2f& u) const {
+  const EmitterSample light = emitters_.sample(point.surface.position, u);
   if (!(light.density > 0)) {
     return;
   }
@@ -216,7 +217,7 @@ void PathTracer::add_emitter(Walk& walk, const SurfacePoint& point, const Bsdf& 
     return;
   }
   const float weight = power_heuristic(light.density, bsdf.density(light.to_light)) * (kInversePiF / light.density);
-  walk.radiance += arriving * (weight * transmittance(walk, light.to_light, light.distance, light.triangle));
+  walk.radiance += arriving * (weight * transmittance(walk, light.to_light, light.distance, &light));
 }
 
 PathResult PathTracer::follow(int x, int y, std::uint32_t sample, std::uint64_t& rays) const {
@@ -257,12 +258,11 @@ PathResult PathTracer::follow(int x, int y, std::uint32_t sample, std::uint64_t&
       add_local_terms(walk, point);
     }
     const Bsdf bsdf(point, material, scene_->shading, walk.place->is_front);
-    const Vec2f choices = walk.random.pair(walk.pair(kChoicePair));
     if (!emitters_.is_empty() && bsdf.is_rough()) {
-      add_emitter(walk, point, bsdf, choices.x, walk.random.pair(walk.pair(kLightPair)));
+      add_emitter(walk, point, bsdf, walk.random.pair(walk.pair(kLightPair)));
     }
-
-    const ScatterSample next = bsdf.sample(choices.y, walk.random.pair(walk.pair(kDirectionPair)));
+    const float lobe = bsdf.has_choice() ? walk.random.one(walk.pair(kChoicePair)) : 0.0F;
+    const ScatterSample next = bsdf.sample(lobe, walk.random.pair(walk.pair(kDirectionPair)));
     if (!(next.density > 0)) {
       break;
     }
@@ -275,7 +275,7 @@ PathResult PathTracer::follow(int x, int y, std::uint32_t sample, std::uint64_t&
     }
     if (walk.bounce >= kSureBounces) {
       const float survival = std::min(most, kMostSurvival);
-      if (!(walk.random.pair(walk.pair(kRoulettePair)).x < survival)) {
+      if (!(walk.random.one(walk.pair(kRoulettePair)) < survival)) {
         break;
       }
       walk.diffuse = walk.diffuse * (1.0F / survival);

@@ -31,13 +31,13 @@ class PathTracer {
   struct Walk;
   [[nodiscard]] Ray camera_ray(float x, float y) const;
   [[nodiscard]] bool find_surface(Walk& walk, Ray ray) const;
-  [[nodiscard]] float transmittance(Walk& walk, const Vec3f& direction, float distance, const TriangleId& light) const;
+  [[nodiscard]] float transmittance(Walk& walk, const Vec3f& direction, float distance, const EmitterSample* light) const;
   void add_sky(Walk& walk, PathResult& result) const;
   void add_area_lights(Walk& walk, float farthest) const;
   void add_emission(Walk& walk, const SurfacePoint& point) const;
   void add_delta_lights(Walk& walk, const SurfacePoint& point) const;
   void add_local_terms(Walk& walk, const SurfacePoint& point) const;
-  void add_emitter(Walk& walk, const SurfacePoint& point, const class Bsdf& bsdf, float choice, const Vec2f& u) const;
+  void add_emitter(Walk& walk, const SurfacePoint& point, const class Bsdf& bsdf, const Vec2f& u) const;
 
   const PreparedScene* scene_;
   const RayScene* rays_;

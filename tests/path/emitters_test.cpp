@@ -36,7 +36,7 @@ TEST(Emitters, DirectionsToLightsFallAsTheirDensitySays) {
     constexpr float kFar = 1e30F;
     expect_distribution(
         [&](const Vec2f& u) {
-          const EmitterSample sample = emitters.sample(position, 0.5F, u);
+          const EmitterSample sample = emitters.sample(position, u);
           EXPECT_GT(sample.density, 0);
           const auto met = emitters.meets_area(0, position, sample.to_light, kFar);
           if (met) {  // but at the very edge
@@ -68,14 +68,14 @@ TEST(Emitters, EmittingTrianglesAreFoundByTheirPower) {
     GTEST_SKIP() << rays.error().text();
   }
   const Vec3f position{0, 0, -5};
-  Uniform choice(3);
-  expect_distribution([&](const Vec2f& u) { return emitters.sample(position, choice.one(), u).to_light; },
+  expect_distribution([&](const Vec2f& u) { return emitters.sample(position, u).to_light; },
                       [&](const Vec3f& d) {
                         RayHit hit;
                         if (!rays->closest({position, d, 0.01F}, hit) || hit.instance == 2) {
                           return 0.0;
                         }
-                        return static_cast<double>(emitters.density_of(place_of(ready, hit, d, true), position));
+                        return static_cast<double>(
+                            emitters.density_of(place_of(ready, hit, placed_triangle(ready, hit.instance, hit.triangle), d, true), position));
                       },
                       "triangles", 50000);
   EXPECT_FALSE(emitters.is_empty());
