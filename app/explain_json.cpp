@@ -28,17 +28,12 @@ Json shading_json(const ShadingExplanation& shading) {
   for (const LightExplanation& light : shading.lights) {
     lights.push_back(light_json(light));
   }
-  return {{"weight", json_number(shading.weight)},
-          {"position", json_vector(shading.position)},
-          {"normal", json_vector(shading.normal)},
-          {"to_eye", json_vector(shading.to_eye)},
-          {"scene_ambient", json_vector(shading.scene_ambient)},
-          {"environment", json_vector(shading.environment)},
-          {"ambient", json_vector(shading.ambient)},
-          {"diffuse", json_vector(shading.diffuse)},
-          {"specular", json_vector(shading.specular)},
-          {"emission", json_vector(shading.emission)},
-          {"lights", lights}};
+  return {{"weight", json_number(shading.weight)},           {"position", json_vector(shading.position)},
+          {"normal", json_vector(shading.normal)},           {"to_eye", json_vector(shading.to_eye)},
+          {"openness", json_number(shading.openness)},       {"scene_ambient", json_vector(shading.scene_ambient)},
+          {"environment", json_vector(shading.environment)}, {"ambient", json_vector(shading.ambient)},
+          {"diffuse", json_vector(shading.diffuse)},         {"specular", json_vector(shading.specular)},
+          {"emission", json_vector(shading.emission)},       {"lights", lights}};
 }
 
 Json map_json(const MapExplanation& map) {

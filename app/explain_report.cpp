@@ -116,7 +116,7 @@ std::string light_text(const PreparedScene& scene, const FragmentExplanation& fr
   if (is_phong || has_half) {
     text += row(6, "l_s", shining.specular);
   }
-  text += row(6, "ambient", light.ambient, "f s k_a l_a");
+  text += row(6, "ambient", light.ambient, scene.occlusion.empty() ? "f s k_a l_a" : "f s a k_a l_a");
   const char* v = shining.has_shadow ? " v" : "";
   text += row(6, "diffuse", light.diffuse, fmt::format("f s{} k_d l_d {}max(N.L, 0)", v, is_ggx ? "(1 - F) " : ""));
   if (is_ggx) {
@@ -142,15 +142,19 @@ std::string shading_text(const PreparedScene& scene, const Explanation& explanat
   }
   text += row(4, "N", shading.normal);
   text += row(4, "V", shading.to_eye, "towards the eye");
-  text += row(4, "scene's ambient", shading.scene_ambient, "k_a I_a");
+  const bool has_occlusion = !scene.occlusion.empty();
+  if (has_occlusion) {
+    text += row(4, "a", number(shading.openness), "the share of the hemisphere above that nothing near by hides");
+  }
+  text += row(4, "scene's ambient", shading.scene_ambient, has_occlusion ? "a k_a I_a" : "k_a I_a");
   if (scene.environment) {
-    text += row(4, "environment", shading.environment, "k_d E");
+    text += row(4, "environment", shading.environment, has_occlusion ? "a k_d E" : "k_d E");
   }
   for (const LightExplanation& light : shading.lights) {
     text += light_text(scene, fragment, shading, light);
   }
   const char* clamped = explanation.interpolation == Interpolation::gouraud ? ", clamped at the vertex" : "";
-  text += row(4, "sum: ambient", shading.ambient, std::string("k_a I_a + the lights'") + clamped);
+  text += row(4, "sum: ambient", shading.ambient, std::string("the scene's + the lights'") + clamped);
   text += row(4, "     diffuse", shading.diffuse);
   text += row(4, "     specular", shading.specular);
   return text + row(4, "     emission", shading.emission, "k_e");
@@ -182,18 +186,19 @@ std::string fragment_text(const PreparedScene& scene, const Explanation& explana
   for (const MapExplanation& map : fragment.maps) {
     text += map_text(map);
   }
+  const char* a = scene.occlusion.empty() ? "" : "a ";
   if (fragment.lighting == Lighting::ggx) {
     text += fmt::format(
-        "\n  I = k_e + k_a I_a + sum over the lights of f s [ k_a l_a + {}k_d l_d (1 - F) max(N.L, 0) + l_s {}{} ]\n"
-        "  alpha^2 = 2 / (n + 2) = {}\n\n",
-        scene.shadows.empty() ? "" : "v (", specular_formula(fragment.lighting), scene.shadows.empty() ? "" : ")",
+        "\n  I = k_e + {0}k_a I_a + sum over the lights of f s [ {0}k_a l_a + {1}k_d l_d (1 - F) max(N.L, 0) + l_s {2}{3} ]\n"
+        "  alpha^2 = 2 / (n + 2) = {4}\n\n",
+        a, scene.shadows.empty() ? "" : "v (", specular_formula(fragment.lighting), scene.shadows.empty() ? "" : ")",
         number(2 / (k.shininess + 2)));
   } else if (fragment.lighting != Lighting::constant) {
     const bool has_shadows = !scene.shadows.empty();
-    text +=
-        fmt::format("\n  I = k_e + k_a I_a + sum over the lights of f s [ k_a l_a + {}k_d l_d max(N.L, 0) + k_s l_s spec{} ]\n  spec = {}{}\n\n",
-                    has_shadows ? "v (" : "", has_shadows ? ")" : "", specular_formula(fragment.lighting),
-                    fragment.lighting == Lighting::lambert ? "" : ", 0 where N.L <= 0");
+    text += fmt::format(
+        "\n  I = k_e + {0}k_a I_a + sum over the lights of f s [ {0}k_a l_a + {1}k_d l_d max(N.L, 0) + k_s l_s spec{2} ]\n  spec = {3}{4}\n\n",
+        a, has_shadows ? "v (" : "", has_shadows ? ")" : "", specular_formula(fragment.lighting),
+        fragment.lighting == Lighting::lambert ? "" : ", 0 where N.L <= 0");
   } else {
     text += "\n  I = k_d, unlit\n\n";
   }

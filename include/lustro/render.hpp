@@ -169,6 +169,7 @@ struct ShadingExplanation {
   Vec3f to_eye;                                ///< V, unit
   Vec3f ambient, diffuse, specular, emission;  ///< sums over the lights (clamped at the vertex for `gouraud`)
   Vec3f scene_ambient;                         ///< k_a I_a, part of ambient
+  float openness = 1;                          ///< a: what of the light from all around is not occluded
   Vec3f environment;                           ///< k_d E, part of diffuse: the scene's environment
   std::vector<LightExplanation> lights;
 };

@@ -26,6 +26,21 @@ struct ShadowSettings {
   int softness = 0;  ///< texels by which an edge is blurred on either side, 0..16
 };
 
+/// The key `occlusion`: light from all around (the ambient term, the environment's diffuse light) does not arrive from where something stands
+/// near by. Surfaces are sorted along the lines of many directions; of each point's hemisphere those count, by their cosine, that are free.
+struct OcclusionSettings {
+  int directions = 64;             ///< that are looked into from each point, 4..1024
+  int size = 256;                  ///< lines of a direction that lie beside each other, on a side of the scene, 16..1024
+  std::optional<double> radius{};  ///< world units: what is farther away hides nothing, from half of it on ever less; nothing: a quarter of the
+                                   ///< diagonal of the scene's box
+};
+
+/// The key `ground`: a floor below everything that shows nothing but the shadows on it, and lets through what is behind it.
+struct GroundSettings {
+  std::optional<double> height{};  ///< its y in the world; nothing: of the scene's lowest point
+  float strength = 1;              ///< how dense the deepest shadow is, 0..1
+};
+
 /// The key `image`.
 struct ImageSettings {
   int width = 1024;  ///< pixels, 1..16384
@@ -130,7 +145,9 @@ struct Scene {
   Color ambient{{0.2F, 0.2F, 0.2F}};           ///< I_a
   std::optional<std::vector<Light>> lights{};  ///< nothing: a default rig that moves with the camera; empty: no light
   std::optional<Fog> fog{};
-  std::optional<ShadowSettings> shadow{};  ///< nothing: every light reaches every surface that faces it
+  std::optional<ShadowSettings> shadow{};        ///< nothing: every light reaches every surface that faces it
+  std::optional<OcclusionSettings> occlusion{};  ///< nothing: ambient light is everywhere
+  std::optional<GroundSettings> ground{};        ///< nothing: no floor; with one, lights have shadows also where `shadow` is not stated
   std::optional<Environment> environment{};
   std::vector<Object> objects{};
 };

@@ -193,6 +193,15 @@ Result<ApproximationReport> measure_approximations(const Scene& scene, const App
   if (options.path.samples < 2) {
     return fail(ErrorKind::usage, "", fmt::format("{} samples: at least 2 are needed, to tell the noise", options.path.samples));
   }
+  if (scene.ground) {
+    Scene without = scene;
+    without.ground.reset();
+    auto measured = measure_approximations(without, options);
+    if (measured) {
+      measured->notes.push_back({"ground", "shows shadows and is no surface: it is left out of both pictures"});
+    }
+    return measured;
+  }
   ApproximationReport report;
   constexpr std::array kTerms{AovKind::ambient, AovKind::diffuse, AovKind::specular, AovKind::emission};
   const bool is_local_at_pixels = scene.shading.interpolation == Interpolation::phong;

@@ -244,15 +244,10 @@ std::string_view undrawn_of_illumination(int model) {
   }
 }
 
-// Models 3 to 9 are model 2 with reflections. Model 10 is black, as opaque as its shadow is dark; there are no shadows.
+// Models 3 to 9 are model 2 with reflections. Model 10 is black, as opaque as its shadow is dark: scene/ground.hpp.
 void MtlReader::settle_illumination(OpenMaterial& open) {
   Material& material = open.material;
   const int model = material.illumination.value_or(2);
-  if (model == 10) {
-    notes_.add(open.illumination_line, "illum 10 shows nothing but the shadows on a surface, and none are cast: its opacity is 0");
-    material.opacity = 0;
-    return;
-  }
   const std::string_view undrawn = undrawn_of_illumination(model);
   if (undrawn.empty()) {
     return;

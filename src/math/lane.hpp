@@ -41,6 +41,7 @@ inline float to_float(std::int32_t i) { return static_cast<float>(i); }
 inline std::int32_t truncate(float a) { return static_cast<std::int32_t>(a); }
 /// p[index] of every lane.
 inline float gather(const float* p, std::int32_t index) { return p[index]; }
+inline std::int32_t gather(const std::int32_t* p, std::int32_t index) { return p[index]; }
 /// The largest whole number that is not above; of any float, NaN and infinities stay.
 inline float floor_of(float a) {
   if (!(std::abs(a) < 8388608.0F)) {

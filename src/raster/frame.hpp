@@ -149,7 +149,7 @@ struct TileScratch {
   std::vector<Reflection<float>> reflections;  ///< of every light by the material at hand
 
   static constexpr std::size_t kStrip = 256;  ///< fragments that go through shading together
-  std::vector<float> visibilities;            ///< lights x kStrip, where there are shadows: what of each light arrives at them
+  std::vector<float> visibilities;            ///< (lights, then what surrounds) x kStrip, where the scene looks beyond surfaces: what arrives
 
   /// A blended triangle in a pixel, in front of what some of its samples show behind it.
   struct Sheet {

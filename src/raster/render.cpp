@@ -131,6 +131,13 @@ void note_what_is_approximated(const PreparedScene& scene, Notes& notes) {
   }
 }
 
+/// What paths do without.
+void note_what_paths_leave_out(const PreparedScene& scene, Notes& notes) {
+  if (std::ranges::any_of(scene.materials, [](const ShadingMaterial& material) { return material.opacity.catches > 0; })) {
+    notes.push_back({"ground", "a surface that shows nothing but shadows (`ground`, illumination 10) is not drawn by --engine path"});
+  }
+}
+
 void rasterize(Workshop& workshop, Target target, std::span<const Aov> aovs, const RenderOptions& options, Rendering& result) {
   const PreparedScene& prepared = workshop.prepared;
   result.stats = {.triangles = prepared.triangle_count};
@@ -142,6 +149,7 @@ void rasterize(Workshop& workshop, Target target, std::span<const Aov> aovs, con
   }
   const auto begin = Clock::now();
   draw_depth_maps(prepared, workshop.prepared.shadows, kernels_of(target), options.threads, workshop.depths);  // raster/depth_maps.cpp
+  draw_occlusion(prepared, workshop.prepared.occlusion, options.threads);                                      // scene/occlusion_maps.cpp
   result.times.shadows = milliseconds(Clock::now() - begin);
   lay_out(workshop.frame, prepared, aovs, options, result);
   const auto laid_out = Clock::now();
@@ -216,6 +224,7 @@ Result<void> draw(const Scene& scene, const RenderOptions& options, Workshop& wo
     result.layers.push_back(make_layer(aov, prepared));
   }
   if (options.engine == Engine::path) {
+    note_what_paths_leave_out(prepared, result.notes);
     auto drawn = draw_paths(*aovs, options, *target, workshop, result);
     result.times.total = milliseconds(Clock::now() - begin);
     return drawn;
@@ -225,8 +234,9 @@ Result<void> draw(const Scene& scene, const RenderOptions& options, Workshop& wo
   }
   note_what_is_approximated(prepared, result.notes);
   if (options.engine == Engine::reference) {
-    draw_depth_maps(prepared, prepared.shadows, options.threads);  // reference/depth_maps.cpp
-    render_reference(prepared, *aovs, options, result);            // reference/render.cpp
+    draw_depth_maps(prepared, prepared.shadows, options.threads);   // reference/depth_maps.cpp
+    draw_occlusion(prepared, prepared.occlusion, options.threads);  // scene/occlusion_maps.cpp
+    render_reference(prepared, *aovs, options, result);             // reference/render.cpp
     result.times.total = milliseconds(Clock::now() - begin);
     return {};
   }

@@ -7,7 +7,10 @@
 #include "raster/frame.hpp"
 #include "raster/row_texture.hpp"
 #include "scene/mapped_surface.hpp"
+#include "shade/depth_map.hpp"
 #include "shade/interpolation.hpp"
+#include "shade/occlusion.hpp"
+#include "shade/shadow_catcher.hpp"
 #include "simd/lanes.hpp"
 
 // What a kernel fills is not cleared first.
@@ -258,15 +261,28 @@ HWY_INLINE Batch make_batch(const Frame& frame, const TileScratch& s, const Tile
   return batch;
 }
 
+/// The opacity of what catches shadows, but for its strength.
+inline HWY_NOINLINE Float shadow_on(const Faces& faces, const Vec3<Float>& position, const Vec3<Float>& normal) {
+  const PreparedScene& scene = faces.scene;
+  const Vec3<Float> face_normal = faces.face_normal();
+  return caught_shadow(scene.surrounding_light(), scene.lights, position, normal, [&](std::size_t i) {
+    return i == scene.lights.size() ? openness_at(scene.occlusion.shading, position, normal, face_normal)
+                                    : visibility_in(scene.shadows.maps[i], position, face_normal);
+  });
+}
+
 /// reference/opacity.cpp: opacity_at()
 HWY_INLINE Float opacity_of(const Faces& faces, const FragmentPlaces& at, const WeightSlopes<Float>& slopes) {
   const Float opacity = opacity_on<LaneFetch, Float>(faces, at.weights, slopes);
-  if (HWY_LIKELY(!faces.material.opacity.has_halo)) {
+  const ShadingOpacity& stated = faces.material.opacity;
+  if (HWY_LIKELY(!stated.has_halo && !(stated.catches > 0))) {
     return opacity;
   }
   const Shading& shading = faces.scene.shading;
   const Vec3<Float> normal = shading.interpolation == Interpolation::flat ? faces.face_normal() : faces.normal_at(shading.normals, at.weights);
-  return halo(opacity, dot(normal, faces.scene.view.to_eye_at(at.x, at.y)));
+  const View& view = faces.scene.view;
+  return stated.catches > 0 ? shadow_on(faces, view.point_at(at.x, at.y, at.depth), normal) * Float(stated.catches)
+                            : halo(opacity, dot(normal, view.to_eye_at(at.x, at.y)));
 }
 
 /// Looks the material's maps up; the normal becomes theirs.

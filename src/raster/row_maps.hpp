@@ -251,7 +251,7 @@ HWY_INLINE void put_surface(const Run& run, Strip& strip, std::size_t i, const B
   Strip::put(strip.normal, i, batch.normal);
   Strip::put(strip.to_eye, i, run.frame.scene->view.to_eye_at(batch.at.x, batch.at.y));
   const PreparedScene& scene = *run.frame.scene;
-  bool is_asked_for = may_change && !scene.shadows.empty();
+  bool is_asked_for = !scene.occlusion.empty() || (may_change && !scene.shadows.empty());
   for (std::size_t l = 0; l < scene.shadows.maps.size() && !is_asked_for; ++l) {
     is_asked_for = scene.lights[l].has_shadow && any_of(is_before(scene.lights[l], batch.position, batch.normal));
   }

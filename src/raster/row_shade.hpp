@@ -25,15 +25,24 @@ struct Shaded {
   Vec3<Float> scene_part;
 };
 
-/// What of the lights arrives at a batch of fragments, from place `at` of TileScratch::visibilities on; reference/fragment.cpp:
-/// visibilities_at().
-inline HWY_NOINLINE void find_visibilities(const PreparedScene& scene, TileScratch& s, std::size_t at, const Vec3<Float>& position,
+/// a, stored in the place after the last light.
+inline HWY_NOINLINE void find_openness(const PreparedScene& scene, TileScratch& s, std::size_t at, const Vec3<Float>& position,
+                                       const Vec3<Float>& normal, const Vec3<Float>& face_normal) {
+  store(&s.visibilities[scene.lights.size() * kStrip + at], openness_at(scene.occlusion.shading, position, normal, face_normal));
+}
+
+/// What of the lights and of all that surrounds it arrives at a batch of fragments, at the first place of TileScratch::visibilities;
+/// reference/visibilities.cpp.
+inline HWY_NOINLINE void find_visibilities(const PreparedScene& scene, TileScratch& s, const Vec3<Float>& position, const Vec3<Float>& normal,
                                            const Vec3<Float>& face_normal) {
   for (std::size_t l = 0; l < scene.shadows.maps.size(); ++l) {
     const DepthMap& map = scene.shadows.maps[l];
     if (map.shape != DepthShape::none) {
-      store(&s.visibilities[l * kStrip + at], visibility_in(map, position, face_normal));
+      store(&s.visibilities[l * kStrip], visibility_in(map, position, face_normal));
     }
+  }
+  if (!scene.occlusion.empty()) {
+    find_openness(scene, s, 0, position, normal, face_normal);
   }
 }
 
@@ -76,12 +85,16 @@ inline HWY_NOINLINE void find_visibilities(const Run& run, const Strip& strip) {
       store(visibilities + i, faces_light(i) ? visibility_in(map, Strip::get(strip.position, i), Strip::get(strip.face_normal, i)) : Float(0));
     }
   }
+  for (std::size_t i = 0; i < run.count && !scene.occlusion.empty(); i += kLanes) {
+    find_openness(scene, run.s, i, Strip::get(strip.position, i), Strip::get(strip.normal, i), Strip::get(strip.face_normal, i));
+  }
 }
 
 /// The same of one batch, at the first place.
 HWY_INLINE const float* find_visibilities(const PreparedScene& scene, TileScratch& s, const Batch& batch) {
-  if (HWY_UNLIKELY(!scene.shadows.empty())) {
-    find_visibilities(scene, s, 0, batch.position, batch.faces.face_normal());
+  if (HWY_UNLIKELY(scene.looks_beyond())) {
+    const Vec3<Float> face_normal = batch.faces.face_normal();
+    find_visibilities(scene, s, batch.position, scene.shading.interpolation == Interpolation::phong ? batch.normal : face_normal, face_normal);
   }
   return s.visibilities.data();
 }
@@ -102,7 +115,9 @@ inline Shaded evaluate(const PreparedScene& scene, const ShadingMaterial& materi
                                    visit(i, (part.ambient + part.diffuse) + part.specular);
                                  }
                                });
-  Terms<Float> unlit = unlit_terms(material.lighting, surface.normal, k, scene.surrounding_light());
+  const SurroundingLight around = scene.surrounding_light();
+  const Float openness = around.is_occluded ? SeenAt{seen}(scene.lights.size()) : Float(1);
+  Terms<Float> unlit = unlit_terms(material.lighting, surface.normal, k, around, openness);
   if (after != nullptr) {
     modulate(after->factors, unlit);
   }
@@ -290,7 +305,7 @@ HWY_INLINE void light_surfaces(const Run& run, const Strip& strip, Visit&& visit
   const ShadingMaterial& material = run.material;
   const bool has_tint = !run.instance.drawable->colors.empty();
   const float* seen = run.s.visibilities.data();
-  if (HWY_UNLIKELY(!scene.shadows.empty())) {
+  if (HWY_UNLIKELY(scene.looks_beyond())) {
     find_visibilities(run, strip);
   }
   Reflection<float>* reflections = run.s.reflections.data();  // without a tint they are the same everywhere

@@ -21,7 +21,7 @@ void TileScratch::fit(const Frame& frame) {
     first_sheet.resize(plane);
   }
   reflections.resize(frame.scene->lights.size());
-  visibilities.resize(std::max(visibilities.size(), frame.scene->shadows.maps.size() * kStrip));
+  visibilities.resize(std::max(visibilities.size(), frame.scene->looks_beyond() ? (frame.scene->lights.size() + 1) * kStrip : 0));
   if (frame.wants_lights) {
     light_output.resize(std::max(light_output.size(), frame.scene->lights.size() * 3 * (kFragments + kPadding)));
     light_parts.resize(frame.scene->lights.size());

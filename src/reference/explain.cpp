@@ -30,6 +30,7 @@ Result<Explanation> take_apart(const Scene& scene, int x, int y) {
     return tl::unexpected(laid.error());
   }
   draw_depth_maps(*prepared, prepared->shadows, 0);
+  draw_occlusion(*prepared, prepared->occlusion, 0);
   const std::vector<ScreenTriangle> triangles = setup_triangles(*prepared, 0);
   Visibility visibility(*prepared, {x, y, x + 1, y + 1});
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {

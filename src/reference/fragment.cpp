@@ -7,6 +7,7 @@
 #include <string>
 
 #include "reference/face.hpp"
+#include "reference/visibilities.hpp"
 #include "scene/mapped_surface.hpp"
 #include "scene/prepare_maps.hpp"
 #include "scene/samples.hpp"
@@ -20,18 +21,6 @@ void scale_terms(Terms<float>& terms, const Vec3f& by) {
   terms.diffuse = terms.diffuse * by;
   terms.specular = terms.specular * by;
   terms.emission = terms.emission * by;
-}
-
-// What of the lights, one after the other, is not in shadow at the pixel; of those that have no shadow nothing.
-std::vector<float> visibilities_at(const Face& face, const Vec3f& position) {
-  const DepthMaps& shadows = face.scene.shadows;
-  std::vector<float> visibilities(shadows.maps.size());
-  for (std::size_t l = 0; l < visibilities.size(); ++l) {
-    if (shadows.maps[l].shape != DepthShape::none) {
-      visibilities[l] = visibility_in(shadows.maps[l], position, face.face_normal());
-    }
-  }
-  return visibilities;
 }
 
 // One evaluation of the equation, and what it says of itself.
@@ -98,7 +87,8 @@ Evaluation evaluate(const Face& face, const Surface<float>& surface, const Coeff
                                          .specular = part.specular});
         }
       });
-  Terms<float> unlit = unlit_terms(face.material.lighting, surface.normal, k, scene.surrounding_light());
+  const float openness = seen[scene.lights.size()];
+  Terms<float> unlit = unlit_terms(face.material.lighting, surface.normal, k, scene.surrounding_light(), openness);
   if (after != nullptr) {
     modulate(after->factors, unlit);
   }
@@ -111,9 +101,11 @@ Evaluation evaluate(const Face& face, const Surface<float>& surface, const Coeff
     explanation->diffuse = result.terms.diffuse;
     explanation->specular = result.terms.specular;
     explanation->emission = result.terms.emission;
-    explanation->scene_ambient = face.material.lighting == Lighting::constant ? Vec3f{} : k.ambient * scene.ambient;
-    explanation->environment =
-        scene.around && face.material.lighting != Lighting::constant ? k.diffuse * light_around(*scene.around, surface.normal) : Vec3f{};
+    explanation->openness = openness;
+    explanation->scene_ambient = face.material.lighting == Lighting::constant ? Vec3f{} : k.ambient * scene.ambient * openness;
+    explanation->environment = scene.around && face.material.lighting != Lighting::constant
+                                   ? k.diffuse * light_around(*scene.around, surface.normal) * openness
+                                   : Vec3f{};
   }
   return result;
 }
@@ -243,7 +235,8 @@ void explain_reflection(const Face& face, const Mapped& mapped, FragmentExplanat
     const ShadingMap& face_map = map.faces[i];
     const Footprint<float> at = on_map(face_map, seen);
     const MapValue<float> value = look_up<TexelReader>(face_map, seen);
-    part.name = face.material.stated.textures.reflection->faces[i]->name;
+    const auto& stated = face.material.stated.textures.reflection;
+    part.name = stated && stated->faces[i] ? stated->faces[i]->name : "environment";  // scene/surroundings.hpp
     part.u = at.u;
     part.v = at.v;
     part.level_of_detail = size_of_footprint(face_map.sampler, face_map.width, face_map.height, at).lod;
@@ -323,7 +316,8 @@ Fragment shade_fragment(const PreparedScene& scene, const ScreenTriangle& t, std
   }
   const Mapped* mapped = maps ? &*maps : nullptr;
 
-  const std::vector<float> seen = visibilities_at(face, fragment.position);
+  const bool is_lit_here = scene.shading.interpolation == Interpolation::phong;
+  const std::vector<float> seen = visibilities_at(face, fragment.position, is_lit_here ? fragment.normal : face.face_normal());
   Evaluation shading;
   switch (scene.shading.interpolation) {
     case Interpolation::flat:

@@ -181,6 +181,7 @@ void make_casters(const PreparedScene& scene, PreparedScene& casters) {
     ShadingMaterial& material = casters.materials[i];
     material.cull = Culling::none;
     material.opacity = scene.materials[i].opacity;
+    material.opacity.catches = 0;  // nor does it throw any
     if (material.opacity.mode == AlphaMode::blend) {
       material.opacity.mode = AlphaMode::mask;
       material.opacity.cutoff = kHalf;

@@ -436,6 +436,8 @@ LUSTRO_FIELDS_OF(Attenuation)
 LUSTRO_FIELDS_OF(Fog)
 LUSTRO_FIELDS_OF(Environment)
 LUSTRO_FIELDS_OF(ShadowSettings)
+LUSTRO_FIELDS_OF(OcclusionSettings)
+LUSTRO_FIELDS_OF(GroundSettings)
 LUSTRO_FIELDS_OF(Material)
 LUSTRO_FIELDS_OF(StatedTextures)
 LUSTRO_FIELDS_OF(StatedTexture)
@@ -457,6 +459,9 @@ std::vector<FieldGroup> field_groups() {
       group_of<Fog>("fog", "on the Euclidean distance from the eye to the point, after lighting; the background is not fogged"),
       group_of<Environment>("environment", "the sky; a file's name or a colour stands for a table with that `file` or `color`"),
       group_of<ShadowSettings>("shadow", "the maps of depths through which lights see what they reach; `true` is a table that states nothing"),
+      group_of<OcclusionSettings>("occlusion",
+                                  "how far and how closely is looked for what hides the light from all around; `true` states nothing"),
+      group_of<GroundSettings>("ground", "the floor that catches shadows; `true` states nothing"),
       group_of<Material>("materials.*", "the coefficients of a material"),
       group_of<StatedTextures>("materials.*.textures",
                                "what varies over the surface; colours multiply their coefficient, one value each the others"),
@@ -478,11 +483,22 @@ Result<void> set_scene_flag(Scene& scene, std::string_view flag, std::string_vie
       return *done;
     }
   }
-  ShadowSettings shadow = scene.shadow.value_or(ShadowSettings{});
-  if (const auto set = set_flag(shadow, flag, text)) {
-    if (*set) {
-      scene.shadow = shadow;
+  // A flag of one of these tables switches it on.
+  const auto set_toggled = [&](auto& table) -> std::optional<Result<void>> {
+    auto stated = table.value_or(typename std::remove_cvref_t<decltype(table)>::value_type{});
+    const auto set = set_flag(stated, flag, text);
+    if (set && *set) {
+      table = stated;
     }
+    return set;
+  };
+  if (const auto set = set_toggled(scene.shadow)) {
+    return *set;
+  }
+  if (const auto set = set_toggled(scene.occlusion)) {
+    return *set;
+  }
+  if (const auto set = set_toggled(scene.ground)) {
     return *set;
   }
   Object stated;

@@ -45,7 +45,7 @@ enum class ValueKind : std::uint8_t {
   pair,        ///< [u, v]
   triple,      ///< a number, or a list of three: of red, green and blue
   affine,      ///< six numbers, row by row
-  toggle,      ///< true, false, or a table with keys of its own: shadow
+  toggle,      ///< true, false, or a table with keys of its own: shadow, occlusion, ground
 };
 
 /// The numbers that a key takes; each number of a vector, matrix or colour.
@@ -67,7 +67,7 @@ struct Range {
 
 /// Tables that `true` stands for where they state nothing, and `false` where there is none.
 template <class V>
-inline constexpr bool kIsToggle = std::is_same_v<V, ShadowSettings>;
+inline constexpr bool kIsToggle = std::is_same_v<V, ShadowSettings> || std::is_same_v<V, OcclusionSettings> || std::is_same_v<V, GroundSettings>;
 
 /// A colour and the alpha that its fourth number states.
 template <class T>
@@ -78,16 +78,15 @@ struct ColorAlpha {
 
 /// Where a struct keeps the value. monostate: the file has the key, the struct does not (`materials`).
 template <class T>
-using Member =
-    std::variant<bool T::*, int T::*, float T::*, double T::*, std::optional<double> T::*, Vec3d T::*, std::optional<Vec3d> T::*, Mat4 T::*,
-                 Color T::*, ColorAlpha<T>, std::string T::*, TermSet T::*, Transfer T::*, Projection T::*, ViewPreset T::*, Lighting T::*,
-                 std::optional<Lighting> T::*, Interpolation T::*, NormalInterpolation T::*, VertexNormals T::*, Culling T::*,
-                 std::optional<Culling> T::*, LightType T::*, SpotFade T::*, FogMode T::*, ImageSettings T::*, Camera T::*, Shading T::*,
-                 Attenuation T::*, std::optional<Fog> T::*, std::optional<Environment> T::*, Tone T::*, ToneOperator T::*,
-                 std::optional<ShadowSettings> T::*, std::optional<int> T::*, std::optional<std::vector<Light>> T::*, std::vector<Object> T::*,
-                 std::optional<Material> T::*, AlphaMode T::*, StatedTextures T::*, std::optional<StatedTexture> T::*,
-                 std::optional<StatedReflection> T::*, ReflectionShape T::*, WrapPair T::*, TextureFilter T::*, MipFilter T::*,
-                 TextureChannel T::*, Vec2f T::*, Vec3f T::*, std::optional<std::array<float, 6>> T::*, std::monostate>;
+using Member = std::variant<
+    bool T::*, int T::*, float T::*, double T::*, std::optional<double> T::*, Vec3d T::*, std::optional<Vec3d> T::*, Mat4 T::*, Color T::*,
+    ColorAlpha<T>, std::string T::*, TermSet T::*, Transfer T::*, Projection T::*, ViewPreset T::*, Lighting T::*, std::optional<Lighting> T::*,
+    Interpolation T::*, NormalInterpolation T::*, VertexNormals T::*, Culling T::*, std::optional<Culling> T::*, LightType T::*, SpotFade T::*,
+    FogMode T::*, ImageSettings T::*, Camera T::*, Shading T::*, Attenuation T::*, std::optional<Fog> T::*, std::optional<Environment> T::*,
+    Tone T::*, ToneOperator T::*, std::optional<ShadowSettings> T::*, std::optional<OcclusionSettings> T::*, std::optional<GroundSettings> T::*,
+    std::optional<int> T::*, std::optional<std::vector<Light>> T::*, std::vector<Object> T::*, std::optional<Material> T::*, AlphaMode T::*,
+    StatedTextures T::*, std::optional<StatedTexture> T::*, std::optional<StatedReflection> T::*, ReflectionShape T::*, WrapPair T::*,
+    TextureFilter T::*, MipFilter T::*, TextureChannel T::*, Vec2f T::*, Vec3f T::*, std::optional<std::array<float, 6>> T::*, std::monostate>;
 
 /// One key of the struct T.
 template <class T>
@@ -102,7 +101,7 @@ struct Field {
 };
 
 /// The keys of T in the order of the documentation: ImageSettings, Tone, Camera, Shading, Light, Attenuation, Fog, Environment, ShadowSettings,
-/// Material, StatedTextures, StatedTexture, StatedReflection, Object, Scene.
+/// OcclusionSettings, GroundSettings, Material, StatedTextures, StatedTexture, StatedReflection, Object, Scene.
 template <class T>
 [[nodiscard]] std::span<const Field<T>> fields();
 
@@ -184,7 +183,7 @@ struct FieldGroup {
 
 /// Sets what a flag of the command names (`--samples`, `--light`, ...), wherever it belongs. `--light` appends a light (the first one replaces
 /// nothing but the default rig) and `none` removes all; `--material` gives every object that material; `--fog none` removes the fog;
-/// a flag of `shadow` switches shadows on. errors
+/// a flag of `shadow`, `occlusion` or `ground` switches that on. errors
 /// usage, `where` is the flag. The scene is unchanged then
 [[nodiscard]] Result<void> set_scene_flag(Scene& scene, std::string_view flag, std::string_view text);
 

@@ -1,4 +1,4 @@
-// The keys of a light, of its `attenuation`, of `fog`, of `environment` and of `shadow`.
+// The keys of a light, of its `attenuation`, of `fog`, of `environment`, `shadow`, `occlusion` and `ground`.
 #include <array>
 
 #include "scene/fields.hpp"
@@ -77,7 +77,37 @@ constexpr std::array kShadowFields{
                           kSoftness},
 };
 
+constexpr Range kDirections{.lower = 4, .upper = 1024};
+constexpr Range kUnit{.lower = 0, .upper = 1};
+constexpr Range kOcclusionSize{.lower = 16, .upper = 1024};
+
+constexpr std::array kOcclusionFields{
+    Field<OcclusionSettings>{"directions", "--occlusion-directions", &OcclusionSettings::directions, "that are looked into from each point", "",
+                             kDirections},
+    Field<OcclusionSettings>{"size", "--occlusion-size", &OcclusionSettings::size,
+                             "lines of a direction that lie beside each other, on a side of the scene", "", kOcclusionSize},
+    Field<OcclusionSettings>{"radius", "--occlusion-radius", &OcclusionSettings::radius,
+                             "what is farther away hides nothing, from half of it on ever less", "world units", kPositive,
+                             "a quarter of the diagonal of the scene's box"},
+};
+
+constexpr std::array kGroundFields{
+    Field<GroundSettings>{
+        "height", "--ground-height", &GroundSettings::height, "its y in the world", "world units", {}, "that of the lowest point"},
+    Field<GroundSettings>{"strength", "--ground-strength", &GroundSettings::strength, "how dense the deepest shadow is", "", kUnit},
+};
+
 }  // namespace
+
+template <>
+std::span<const Field<OcclusionSettings>> fields<OcclusionSettings>() {
+  return kOcclusionFields;
+}
+
+template <>
+std::span<const Field<GroundSettings>> fields<GroundSettings>() {
+  return kGroundFields;
+}
 
 template <>
 std::span<const Field<Environment>> fields<Environment>() {

@@ -11,6 +11,7 @@
 #include "math/power.hpp"
 #include "math/trig.hpp"
 #include "scene/displacement.hpp"
+#include "scene/ground.hpp"
 #include "scene/prepare_maps.hpp"
 
 namespace lustro {
@@ -42,6 +43,11 @@ void prepare_material(const Material& material, const Shading& shading, Transfer
   const bool has_specular = terms.specular || result.lighting == Lighting::ggx;  // whose k_s takes from the diffuse part; the lights' own is 0
   result.coefficients = {keep(terms.ambient, result.stated.ambient), keep(terms.diffuse, result.stated.diffuse),
                          keep(has_specular, result.stated.specular), keep(terms.emission, result.stated.emission), material.shininess};
+  if (catches_shadows(material)) {
+    result.lighting = Lighting::constant;
+    result.coefficients = {};
+    result.albedo = {};
+  }
 }
 
 Vec3f unit_direction(const Vec3d& direction) {
@@ -249,9 +255,10 @@ double reach_of(const Clusters& clusters, const Mesh& mesh, const Vec3d& directi
   return farthest;
 }
 
+// Of the scene's own objects: without the ground.
 void reach_of(const Scene& scene, std::span<const Instance> instances, std::span<const Vec3d> directions, std::span<double> reach) {
   std::fill(reach.begin(), reach.end(), -std::numeric_limits<double>::infinity());
-  for (std::size_t o = 0; o < instances.size(); ++o) {
+  for (std::size_t o = 0; o < scene.objects.size(); ++o) {
     const Mat4& m = scene.objects[o].matrix;
     for (std::size_t i = 0; i < directions.size(); ++i) {
       const Vec3d& d = directions[i];  // dot(d, M p) = dot(M^T d, p)
@@ -276,8 +283,7 @@ Extent extent_of(const Scene& scene, const std::vector<Instance>& instances) {
 }
 
 // Completes the instance of an object, of which the mesh is known. `materials` counts those that are prepared.
-Result<void> add_object(PreparedScene& prepared, const Scene& scene, std::size_t index, std::size_t& materials) {
-  const Object& object = scene.objects[index];
+Result<void> add_object(PreparedScene& prepared, const Scene& scene, const Object& object, std::size_t index, std::size_t& materials) {
   const std::string where = fmt::format("objects[{}]", index);
   prepared.object_names[index] = !object.name.empty() ? object.name : object.source;
   Instance& instance = prepared.instances[index];
@@ -332,38 +338,46 @@ bool culls(const Object& object, const Shading& shading) {
   return std::any_of(object.mesh->materials.begin(), object.mesh->materials.end(), does);
 }
 
-// Objects have meshes, meshes are sound, matrices are affine and finite: whatever follows may rely on it.
-Result<void> check_objects(const Scene& scene, MeshCache& cache, int threads, std::vector<Instance>& instances) {
-  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    const Object& object = scene.objects[i];
-    const std::string where = fmt::format("objects[{}]", i);
-    if (!object.mesh) {
-      return fail(ErrorKind::usage, where, object.source.empty() ? "has no mesh" : fmt::format("its mesh \"{}\" is not loaded", object.source));
-    }
-    const MeshDemand demand{.normals = {.weights = scene.shading.vertex_normals, .crease_deg = scene.shading.crease.value_or(180)},
-                            .wants_normals = scene.shading.interpolation != Interpolation::flat,
-                            .encoded_colors = scene.image.transfer != Transfer::none,
-                            .wants_cones = culls(object, scene.shading),
-                            .tangents = tangents_for(object, scene.shading),
-                            .displacement = displacement_of(object)};
-    auto drawable = cache.get(object.mesh, demand, threads, where + ".mesh");
-    if (!drawable) {
-      return tl::unexpected(drawable.error());
-    }
-    Instance& instance = instances.emplace_back();
-    instance.mesh = (*drawable)->mesh.get();
-    instance.drawable = *std::move(drawable);
-    instance.object = static_cast<std::uint32_t>(i);
-    const Mat4& m = object.matrix;
-    if (!std::all_of(m.m.begin(), m.m.end(), [](double value) { return std::isfinite(value); })) {
-      return fail(ErrorKind::usage, where + ".matrix", "holds a number that is not finite");
-    }
-    if (m(3, 0) != 0 || m(3, 1) != 0 || m(3, 2) != 0 || m(3, 3) != 1) {
-      return fail(ErrorKind::usage, where + ".matrix", "the last row must be 0, 0, 0, 1");
-    }
+// The object has a mesh, the mesh is sound, the matrix is affine and finite: whatever follows may rely on it.
+Result<void> check_object(const Scene& scene, const Object& object, MeshCache& cache, int threads, std::vector<Instance>& instances) {
+  const std::size_t index = instances.size();
+  const std::string where = fmt::format("objects[{}]", index);
+  if (!object.mesh) {
+    return fail(ErrorKind::usage, where, object.source.empty() ? "has no mesh" : fmt::format("its mesh \"{}\" is not loaded", object.source));
   }
-  cache.forget_unused();
+  const MeshDemand demand{.normals = {.weights = scene.shading.vertex_normals, .crease_deg = scene.shading.crease.value_or(180)},
+                          .wants_normals = scene.shading.interpolation != Interpolation::flat,
+                          .encoded_colors = scene.image.transfer != Transfer::none,
+                          .wants_cones = culls(object, scene.shading),
+                          .tangents = tangents_for(object, scene.shading),
+                          .displacement = displacement_of(object)};
+  auto drawable = cache.get(object.mesh, demand, threads, where + ".mesh");
+  if (!drawable) {
+    return tl::unexpected(drawable.error());
+  }
+  Instance& instance = instances.emplace_back();
+  instance.mesh = (*drawable)->mesh.get();
+  instance.drawable = *std::move(drawable);
+  instance.object = static_cast<std::uint32_t>(index);
+  const Mat4& m = object.matrix;
+  if (!std::all_of(m.m.begin(), m.m.end(), [](double value) { return std::isfinite(value); })) {
+    return fail(ErrorKind::usage, where + ".matrix", "holds a number that is not finite");
+  }
+  if (m(3, 0) != 0 || m(3, 1) != 0 || m(3, 2) != 0 || m(3, 3) != 1) {
+    return fail(ErrorKind::usage, where + ".matrix", "the last row must be 0, 0, 0, 1");
+  }
   return {};
+}
+
+// Surfaces that show shadows alone are there for nothing where there are none.
+void note_idle_catchers(PreparedScene& prepared) {
+  const auto idle = std::ranges::find_if(prepared.materials, [](const ShadingMaterial& material) { return material.opacity.catches > 0; });
+  if (idle != prepared.materials.end() && !prepared.looks_beyond()) {
+    const std::string& name = idle->stated.name;
+    prepared.notes.push_back(
+        {"materials", fmt::format("{} shows nothing but the shadows on it, and the scene has none: `shadow` switches them on",
+                                  name.empty() ? "one without a name" : fmt::format("\"{}\"", name))});
+  }
 }
 
 Result<void> check_image(const ImageSettings& image) {
@@ -393,8 +407,10 @@ Result<void> prepare(const Scene& scene, MeshCache& cache, int threads, Prepared
   if (auto checked = check_image(scene.image); !checked) {
     return tl::unexpected(checked.error());
   }
-  if (auto checked = check_objects(scene, cache, threads, prepared.instances); !checked) {
-    return checked;
+  for (const Object& object : scene.objects) {
+    if (auto checked = check_object(scene, object, cache, threads, prepared.instances); !checked) {
+      return checked;
+    }
   }
   prepared.shading = scene.shading;
   prepared.transfer = scene.image.transfer;
@@ -405,10 +421,19 @@ Result<void> prepare(const Scene& scene, MeshCache& cache, int threads, Prepared
     return tl::unexpected(view.error());
   }
   prepared.view = *view;
-  prepared.object_names.resize(scene.objects.size());
+  std::optional<Object> ground;
+  if (scene.ground && !scene.objects.empty()) {
+    ground = make_ground(*scene.ground, scene.camera, extent.bounds, prepared.view);  // scene/ground.cpp
+    if (auto checked = check_object(scene, *ground, cache, threads, prepared.instances); !checked) {
+      return checked;
+    }
+  }
+  cache.forget_unused();
+  prepared.object_names.resize(prepared.instances.size());
   std::size_t materials = 0;
-  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    if (auto added = add_object(prepared, scene, i, materials); !added) {
+  for (std::size_t i = 0; i < prepared.instances.size(); ++i) {
+    const Object& object = i < scene.objects.size() ? scene.objects[i] : *ground;
+    if (auto added = add_object(prepared, scene, object, i, materials); !added) {
       return added;
     }
   }
@@ -436,14 +461,22 @@ Result<void> prepare(const Scene& scene, MeshCache& cache, int threads, Prepared
     prepared.environment = *std::move(environment);
   }
   prepared.shadows.clear();
-  if (scene.shadow) {
+  if (scene.shadow || scene.ground) {
     for (std::size_t i = 0; i < prepared.lights.size(); ++i) {
       prepared.lights[i].has_shadow = prepared.stated_lights[i].shadow;
     }
-    if (auto planned = plan_shadows(*scene.shadow, prepared.lights, extent, prepared.view.eye, prepared.shadows); !planned) {
+    if (auto planned = plan_shadows(scene.shadow.value_or(ShadowSettings{}), prepared.lights, extent, prepared.view.eye, prepared.shadows);
+        !planned) {
       return planned;
     }
   }
+  prepared.occlusion.clear();
+  if (scene.occlusion) {
+    if (auto planned = plan_occlusion(*scene.occlusion, extent, prepared.view.eye, prepared.occlusion); !planned) {
+      return planned;
+    }
+  }
+  note_idle_catchers(prepared);
   prepared.ambient = linear_rgb(scene.ambient, prepared.transfer);
   prepared.fog = scene.fog ? std::optional(prepare_fog(*scene.fog, prepared.transfer)) : std::nullopt;
   const float alpha = scene.image.transparent ? 0 : scene.image.background_alpha;

@@ -13,6 +13,7 @@
 #include "math/affine_rows.hpp"
 #include "scene/depth_maps.hpp"
 #include "scene/mesh_cache.hpp"
+#include "scene/occlusion_maps.hpp"
 #include "scene/view.hpp"
 #include "shade/environment.hpp"
 #include "shade/fog.hpp"
@@ -104,11 +105,14 @@ struct PreparedScene {
   std::optional<ShadingEnvironment> around;  ///< the environment's diffuse light, where it is laid around: scene/surroundings.hpp
   std::optional<ShadingMap> sky;             ///< what is seen of it in place of the background, likewise
   DepthMaps shadows;                         ///< one map a light, or none where the scene has no shadows
+  OcclusionMaps occlusion;                   ///< no directions where the scene has none
   std::array<float, 4> background{};         ///< linear, premultiplied; where there is a sky its alpha, 1, counts alone
   std::uint32_t triangle_count = 0;
   Notes notes;
 
-  [[nodiscard]] SurroundingLight surrounding_light() const { return {ambient, around ? &*around : nullptr}; }
+  /// Whether what light arrives at a surface depends on other surfaces.
+  [[nodiscard]] bool looks_beyond() const { return !shadows.empty() || !occlusion.empty(); }
+  [[nodiscard]] SurroundingLight surrounding_light() const { return {ambient, around ? &*around : nullptr, !occlusion.empty()}; }
 };
 
 /// errors  usage where something does not fit together (an object without a mesh, a singular matrix, a camera that cannot see); limit for more

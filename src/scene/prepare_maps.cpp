@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "scene/add_note.hpp"
+#include "scene/ground.hpp"
 
 namespace lustro {
 namespace {
@@ -133,6 +134,12 @@ ShadingMaps prepare_maps(const Material& material, const Mesh& mesh, const Shadi
 
 ShadingOpacity prepare_opacity(const Material& material, const DrawableMesh& drawable, const std::string& where, Notes& notes) {
   ShadingOpacity result;
+  if (catches_shadows(material)) {
+    result.mode = AlphaMode::blend;
+    result.opacity = 0;
+    result.catches = std::clamp(material.opacity, 0.0F, 1.0F);
+    return result;
+  }
   if (material.alpha_mode == AlphaMode::opaque) {
     return result;
   }

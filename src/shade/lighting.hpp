@@ -1,7 +1,7 @@
 // THE lighting equation: the only place where light meets surface. F is a lane type: float for the reference, N floats for a kernel.
 // shade/lighting.glsl is its mirror, line for line.
 //
-//   I = k_e + k_a I_a + k_d E + sum_i f_i s_i [ k_a l_a + v_i (k_d l_d max(N.L, 0) + k_s l_s spec) ]
+//   I = k_e + a (k_a I_a + k_d E) + sum_i f_i s_i [ a k_a l_a + v_i (k_d l_d max(N.L, 0) + k_s l_s spec) ]
 //
 //   spec = 0                    lambert      Lambert 1760
 //          max(R.V, 0)^n        phong        Phong 1975, R = 2 (N.L) N - L
@@ -10,6 +10,8 @@
 //
 //   v_i is the share of the light that is not in shadow (shade/depth_map.hpp), 1 where there are no shadows, as in the shader: what light i
 //   brings directly vanishes in its shadow; its ambient colour stays, which stands for what it brings by way of all other surfaces.
+//
+//   a is the share of the hemisphere that nothing near by hides (shade/occlusion.hpp), 1 where the scene has no occlusion, as in the shader.
 //
 //   E is what a white Lambert surface shows under the scene's environment (shade/environment.hpp), 0 where there is none, as in the shader. The
 //   environment's highlights are reflection maps (scene/surroundings.hpp).
@@ -278,14 +280,17 @@ LUSTRO_INLINE LightTerms<F> reflect_ggx(const Surface<F>& s, const Reflection<K>
 struct SurroundingLight {
   Vec3f ambient;                                    ///< I_a
   const ShadingEnvironment* environment = nullptr;  ///< E; null: none
+  bool is_occluded = false;                         ///< a is asked for
 
-  SurroundingLight(const Vec3f& ambient_, const ShadingEnvironment* environment_ = nullptr)  // NOLINT(google-explicit-constructor)
-      : ambient(ambient_), environment(environment_) {}
+  SurroundingLight(const Vec3f& ambient_, const ShadingEnvironment* environment_ = nullptr,  // NOLINT(google-explicit-constructor)
+                   bool is_occluded_ = false)
+      : ambient(ambient_), environment(environment_), is_occluded(is_occluded_) {}
 };
 
-/// What no light brings: k_a I_a, k_d E, k_e; of `constant` k_d alone.
+/// What no light brings: a k_a I_a, a k_d E, k_e; of `constant` k_d alone.
 template <class F, class K, class N>
-LUSTRO_INLINE Terms<F> unlit_terms(Lighting model, const Vec3<F>& normal, const Coefficients<K, N>& k, const SurroundingLight& around) {
+LUSTRO_INLINE Terms<F> unlit_terms(Lighting model, const Vec3<F>& normal, const Coefficients<K, N>& k, const SurroundingLight& around,
+                                   const F& openness) {
   if (model == Lighting::constant) {
     return {{}, vec_cast<F>(k.diffuse), {}, {}};
   }
@@ -293,19 +298,24 @@ LUSTRO_INLINE Terms<F> unlit_terms(Lighting model, const Vec3<F>& normal, const 
   if (around.environment != nullptr) {
     terms.diffuse = vec_cast<F>(k.diffuse) * light_around(*around.environment, normal);
   }
+  if (around.is_occluded) {
+    terms.ambient = terms.ambient * openness;
+    terms.diffuse = terms.diffuse * openness;
+  }
   return terms;
 }
 
-/// The whole equation at one point. reflection_at(i) is reflection_of() light i, visibility_at(i) the v of a light that has a shadow;
-/// visit(i, incident, part) sees every light's part, in order.
+/// The whole equation at one point. reflection_at(i) is reflection_of() light i, visibility_at(i) the v of a light that has a shadow, and a in
+/// the place after the last light where there is occlusion; visit(i, incident, part) sees every light's part, in order.
 template <Lighting model, class F, class K, class N, class ReflectionAt, class VisibilityAt, class Visit>
 LUSTRO_INLINE Terms<F> light_surface(const Surface<F>& s, const Coefficients<K, N>& k, const SurroundingLight& around,
                                      std::span<const ShadingLight> lights, bool normalized, ReflectionAt&& reflection_at,
                                      VisibilityAt&& visibility_at, Visit&& visit) {
   if constexpr (model == Lighting::constant) {
-    return unlit_terms(model, s.normal, k, around);
+    return unlit_terms(model, s.normal, k, around, F(1));
   } else {
-    Terms<F> terms = unlit_terms(model, s.normal, k, around);
+    const F openness = around.is_occluded ? visibility_at(lights.size()) : F(1);
+    Terms<F> terms = unlit_terms(model, s.normal, k, around, openness);
     for (std::size_t i = 0; i < lights.size(); ++i) {
       Incident<F> in = incident_light(lights[i], s.position);
       LightTerms<F> part;
@@ -313,6 +323,9 @@ LUSTRO_INLINE Terms<F> light_surface(const Surface<F>& s, const Coefficients<K, 
         part = reflect_ggx(s, reflection_at(i), k.specular, lights[i].specular, k.shininess, in);
       } else {
         part = reflect_light<model>(s, reflection_at(i), k.shininess, in, normalized);
+      }
+      if (around.is_occluded) {
+        part.ambient = part.ambient * openness;
       }
       if (lights[i].has_shadow) {
         in.visibility = visibility_at(i);

@@ -8,48 +8,13 @@
 #include <cmath>
 #include <string>
 
+#include "rays.hpp"
 #include "scenes.hpp"
 
 namespace lustro {
 namespace {
 
 constexpr double kWrong = 1.5;  // texels from an edge, beyond which a pixel must be lit by more or by less than a half, as it is
-
-struct Triangle {
-  Vec3d a, b, c;
-};
-
-std::vector<Triangle> triangles_of(const Scene& scene) {
-  std::vector<Triangle> all;
-  for (const Object& object : scene.objects) {
-    const Mat4& m = object.matrix;
-    const auto place = [&](const Vec3f& v) {
-      const Vec3d p = vec_cast<double>(v);
-      const auto row = [&](int i) { return m(i, 0) * p.x + m(i, 1) * p.y + m(i, 2) * p.z + m(i, 3); };
-      return Vec3d{row(0), row(1), row(2)};
-    };
-    for (const auto& t : object.mesh->triangles) {
-      all.push_back({place(object.mesh->positions[t[0]]), place(object.mesh->positions[t[1]]), place(object.mesh->positions[t[2]])});
-    }
-  }
-  return all;
-}
-
-// Moeller and Trumbore 1997: how far along the way the triangle is hit, or a negative number.
-double hit(const Triangle& t, const Vec3d& from, const Vec3d& way) {
-  const Vec3d ab = t.b - t.a;
-  const Vec3d ac = t.c - t.a;
-  const Vec3d p = cross(way, ac);
-  const double determinant = dot(ab, p);
-  if (std::abs(determinant) < 1e-14) {
-    return -1;
-  }
-  const Vec3d s = from - t.a;
-  const double u = dot(s, p) / determinant;
-  const Vec3d q = cross(s, ab);
-  const double v = dot(way, q) / determinant;
-  return u < 0 || v < 0 || u + v > 1 ? -1 : dot(ac, q) / determinant;
-}
 
 struct Shadows {
   int lit = 0, dark = 0, near_edges = 0, wrong = 0;

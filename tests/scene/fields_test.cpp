@@ -35,7 +35,7 @@ TEST(Fields, HaveUniqueKeysFlagsAndHelp) {
           << field.key;
     }
   }
-  EXPECT_EQ(paths.size(), 69U + 3 + 12 + 18 + 8 + 3 + 6 + 3 + 7);
+  EXPECT_EQ(paths.size(), 76U + 3 + 12 + 18 + 8 + 3 + 6 + 3 + 7);
 }
 
 /// Every default, written as text and read back, is the default: no range excludes it and no kind loses it.

@@ -44,7 +44,7 @@ TEST(SceneReader, RefusesUnknownKeysAndSuggestsTheNearest) {
   EXPECT_EQ(error_in_object(R"("mesh": "a", "transform": [])"), "objects[1].transform: unknown key (known: mesh, name, material, matrix)");
   EXPECT_EQ(error_with(R"("materials": {"old gold": {"difuse": 1}})"), "materials[\"old gold\"].difuse: unknown key, did you mean \"diffuse\"?");
   EXPECT_EQ(error_with(R"("": 1)"),
-            "[\"\"]: unknown key (known: image, camera, shading, ambient, lights, fog, environment, shadow, materials, objects)");
+            "[\"\"]: unknown key (known: image, camera, shading, ambient, lights, fog, environment, shadow, occlusion, ground, materials, objects)");
   EXPECT_EQ(error_with(R"("image": {"$schema": ""})").substr(0, 26), "image.$schema: unknown key");
 }
 
@@ -296,7 +296,7 @@ TEST(SceneReader, EveryKeyOfTheTableRefusesAWrongTypeAtItsPath) {
       ++checked;
     }
   }
-  EXPECT_EQ(checked, 69 + 3 + 12 + 18 + 8 + 3 + 6 + 3 + 7);
+  EXPECT_EQ(checked, 76 + 3 + 12 + 18 + 8 + 3 + 6 + 3 + 7);
 }
 
 TEST(SceneReader, ShadowsAreSwitchedOrStated) {
