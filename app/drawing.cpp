@@ -100,6 +100,15 @@ std::vector<const CLI::Option*> add_path_flags(CLI::App& app, PathOptions& path,
   return flags;
 }
 
+void add_resume_flag(CLI::App& app, DrawFlags& flags) {
+  flags.path_flags.push_back(
+      app.add_option("--resume", flags.path.resume,
+                     "Keeps what paths brought in this file, every 10 seconds and at the end, and goes on from it where it is "
+                     "there: the picture is that of a run without a break")
+          ->type_name("FILE")
+          ->group("Paths (with --engine path)"));
+}
+
 void settle_samples(const std::vector<const CLI::Option*>& path_flags, PathOptions& path) {
   if (!path_flags.empty() && path_flags.front()->count() == 0 && (path.seconds > 0 || path.target_error > 0)) {
     path.samples = kMostSamples;

@@ -51,7 +51,10 @@ Json render_json(const RenderFlags& flags, const Scene& scene, const Rendering& 
             {"pixels_covered", rendering.stats.pixels_covered},
             {"notes", json_notes(notes)}};
   if (rendering.stats.samples > 0) {
-    json["paths"] = {{"samples", rendering.stats.samples}, {"rays", rendering.stats.rays}, {"error", rendering.stats.error}};
+    json["paths"] = {{"samples", rendering.stats.samples},
+                     {"resumed", rendering.stats.samples_resumed},
+                     {"rays", rendering.stats.rays},
+                     {"error", rendering.stats.error}};
   }
   if (hash) {
     json["hash"] = hash_text(*hash);
@@ -63,7 +66,9 @@ Json render_json(const RenderFlags& flags, const Scene& scene, const Rendering& 
 void say_what_was_written(const Session& session, const std::vector<std::string>& outputs, const std::vector<std::string>& written,
                           const ImageSettings& image, const Rendering& rendering, double seconds) {
   const RenderStats& stats = rendering.stats;
-  const std::string paths = stats.samples > 0 ? fmt::format(", {} paths a pixel, error {:.2g} %", stats.samples, stats.error * 100) : "";
+  const std::string resumed = stats.samples_resumed > 0 ? fmt::format(" ({} of them from before)", stats.samples_resumed) : "";
+  const std::string paths =
+      stats.samples > 0 ? fmt::format(", {} paths a pixel{}, error {:.2g} %", stats.samples, resumed, stats.error * 100) : "";
   std::string layers;
   for (const std::string& file : written) {
     if (std::find(outputs.begin(), outputs.end(), file) == outputs.end()) {
@@ -178,6 +183,7 @@ Command make_render(CommandLine& line, Session& session) {
   app->add_flag("--print-scene", flags->print_scene, "Draws nothing; prints the scene file with all flags laid over it")->group(output);
   flags->scene_flags = add_scene_flags(*app);
   add_draw_flags(*app, flags->draw_flags, flags->scene_flags);
+  add_resume_flag(*app, flags->draw_flags);
   add_input_flags(*app, flags->input);
   return {app,
           {{"lustro render bunny.ply --material jade --view front -o jade.png", "a mesh in a classic material, from the front"},

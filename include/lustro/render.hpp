@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <span>
@@ -65,6 +66,10 @@ struct PathOptions {
   double target_error = 0;  ///< > 0: RenderStats::error that is good enough
   int bounces = 16;         ///< surfaces that a path meets at most, 0..10000; 1: direct light, lit as the local model does, with shadows
   std::uint32_t seed = 0;   ///< another one draws another noise
+  /// Not empty: the file that keeps what paths brought. Where it is there, the picture goes on from it, and ends as one that was never
+  /// interrupted, bit by bit; it is written (as a whole or not at all) when the picture is done, and every 10 seconds before. It is refused
+  /// where the scene, its size, the bounces or the seed are others.
+  std::filesystem::path resume{};
 };
 
 /// The instruction set whose row of kernels draws. All rows give the same bits.
@@ -97,9 +102,10 @@ struct RenderStats {
   std::uint64_t pixels_covered = 0;  ///< with at least one covered sample; 0: nothing was drawn
 
   // Of Engine::path.
-  int samples = 0;         ///< paths a pixel that were followed
-  std::uint64_t rays = 0;  ///< that were shot, those to lights included
-  double error = 0;        ///< root mean square of the pixels' standard errors over the picture's mean, of luminance
+  int samples = 0;          ///< paths a pixel that the picture is the mean of
+  int samples_resumed = 0;  ///< of these from PathOptions::resume
+  std::uint64_t rays = 0;   ///< that were shot, those to lights included
+  double error = 0;         ///< root mean square of the pixels' standard errors over the picture's mean, of luminance
 };
 
 /// Where the time of one picture went, milliseconds. The last two are done tile by tile on all threads at once: their sum is the wall time of

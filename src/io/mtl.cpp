@@ -224,21 +224,21 @@ bool MtlReader::read_illumination(OpenMaterial& open) {
   return true;
 }
 
-// What illum 3 to 9 ask for beyond the reflection map, which is drawn.
-std::string_view undrawn_of_illumination(int model) {
+// What illum 3 to 9 ask for beyond the reflection map, which is drawn; and who draws it.
+std::string_view demand_of_illumination(int model) {
   switch (model) {
     case 3:
-      return "traced reflections";
+      return "traced reflections, which the path tracer alone draws";
     case 4:
-      return "traced reflections and highlights that hide what lies behind";
+      return "traced reflections, which the path tracer alone draws, and highlights that hide what lies behind, which are not drawn";
     case 5:
-      return "traced reflections by Fresnel";
+      return "traced reflections by Fresnel, which the path tracer alone draws";
     case 6:
-      return "traced reflections and refraction";
+      return "traced reflections and refraction, which the path tracer alone draws";
     case 7:
-      return "traced reflections and refraction by Fresnel";
+      return "traced reflections and refraction by Fresnel, which the path tracer alone draws";
     case 9:
-      return "highlights that hide what lies behind";
+      return "highlights that hide what lies behind, which are not drawn";
     default:
       return {};
   }
@@ -248,13 +248,13 @@ std::string_view undrawn_of_illumination(int model) {
 void MtlReader::settle_illumination(OpenMaterial& open) {
   Material& material = open.material;
   const int model = material.illumination.value_or(2);
-  const std::string_view undrawn = undrawn_of_illumination(model);
-  if (undrawn.empty()) {
+  const std::string_view demand = demand_of_illumination(model);
+  if (demand.empty()) {
     return;
   }
   const bool has_map = std::ranges::any_of(material.maps, [](const TextureMap& map) { return lower_case(map.statement).ends_with("refl"); });
-  notes_.add(open.illumination_line, fmt::format("illum {} asks for {}, which are not drawn: {}", model, undrawn,
-                                                 has_map ? "its reflection map is" : "drawn as illum 2"));
+  notes_.add(open.illumination_line, fmt::format("illum {} asks for {}: {}{}", model, demand, model == 9 ? "" : "elsewhere ",
+                                                 has_map ? "its reflection map is drawn" : "drawn as illum 2"));
 }
 
 // A map multiplies its colour. Where the file does not state one, OpenGL's default would only dim the map, or hide it.

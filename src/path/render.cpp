@@ -9,10 +9,14 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "lustro/image.hpp"
 #include "parallel/parallel_for.hpp"
 #include "path/bsdf.hpp"
+#include "path/state.hpp"
 #include "path/tracer.hpp"
 
 namespace lustro {
@@ -25,15 +29,6 @@ constexpr int kLongestPass = 16;      // samples a pixel
 constexpr int kLeastForAnError = 16;  // samples a pixel before the error is believed
 constexpr int kMostSamples = 1 << 20;
 constexpr int kMostBounces = 10000;
-
-// What a pixel has seen: sums, and sums of squares.
-struct PixelSums {
-  std::array<double, 3> color{};
-  std::array<double, 3> squares{};
-  double luminance_squares = 0;
-  double alpha = 0;
-  bool has_hit = false;
-};
 
 Result<void> check(const PathOptions& options) {
   const auto outside = [](const char* flag, auto value, const char* range) {
@@ -94,6 +89,8 @@ class Meter {
  public:
   Meter(const RenderOptions& options, std::size_t tiles, Clock::time_point begin) : options_(options), tiles_(tiles), begin_(begin) {}
 
+  /// What was there before it began is no work of this time.
+  void resume(int done, double error) { resumed_ = share(done, error); }
   void begin_pass(int done, int samples, double error) {
     before_ = share(done, error);
     after_ = std::max(share(done + samples, 0), before_);
@@ -105,7 +102,7 @@ class Meter {
     }
     const std::lock_guard lock(mutex_);
     const double part = static_cast<double>(++tiles_done_) / static_cast<double>(tiles_);
-    double told = before_ + (after_ - before_) * part;
+    double told = (before_ + (after_ - before_) * part - resumed_) / std::max(1 - resumed_, 1e-9);
     if (options_.path.seconds > 0) {
       told = std::max(told, std::chrono::duration<double>(Clock::now() - begin_).count() / options_.path.seconds);
     }
@@ -124,7 +121,7 @@ class Meter {
   const RenderOptions& options_;
   std::size_t tiles_;
   Clock::time_point begin_;
-  double before_ = 0, after_ = 0, last_ = 0;
+  double resumed_ = 0, before_ = 0, after_ = 0, last_ = 0;
   std::size_t tiles_done_ = 0;
   std::mutex mutex_;
 };
@@ -157,6 +154,78 @@ std::uint64_t draw_pass(const PathTracer& tracer, const View& view, int threads,
   return all;
 }
 
+// Keeps the sums in a file, and takes them from there.
+class Keeper {
+ public:
+  Keeper(const PathTracer& tracer, const View& view, const RenderOptions& options, std::uint64_t fingerprint)
+      : tracer_(tracer), view_(view), options_(options), fingerprint_(fingerprint) {}
+
+  /// What the file holds; where there is none, the first path of each pixel.
+  Result<PathState> begin() {
+    const std::filesystem::path& file = options_.path.resume;
+    auto kept = read_path_state(file, view_.width, view_.height);  // path/state.cpp
+    if (!kept) {
+      return tl::unexpected(kept.error());
+    }
+    if (*kept && (*kept)->fingerprint != fingerprint_) {
+      return fail(ErrorKind::usage, file.string(), "it belongs to another scene, or to other flags: name another file, or remove this one");
+    }
+    PathState first{.width = view_.width, .height = view_.height, .samples = 1, .fingerprint = fingerprint_, .pixels = {}};
+    first.pixels.resize(static_cast<std::size_t>(view_.width) * static_cast<std::size_t>(view_.height));
+    RenderOptions silent;
+    Meter meter(silent, 1, Clock::now());
+    first.rays = draw_pass(tracer_, view_, options_.threads, 0, 1, first.pixels, meter);
+    probe_ = first.probe = hash_sums(first.pixels);
+    if (*kept && (*kept)->probe != probe_) {
+      return fail(
+          ErrorKind::usage, file.string(),
+          "its first paths saw another picture: files that the scene names have changed, or another program or machine drew it; name another "
+          "file, or remove this one");
+    }
+    saved_ = Clock::now();
+    if (*kept) {
+      kept_ = found_ = (*kept)->samples;
+      return **std::move(kept);
+    }
+    // At once: what cannot be written is better known now than in an hour.
+    if (auto written = keep(first.samples, first.rays, first.pixels, true); !written) {
+      return tl::unexpected(written.error());
+    }
+    return first;
+  }
+
+  /// Of how many paths a pixel the file was there.
+  [[nodiscard]] int found() const { return found_; }
+
+  /// Writes what is new, unless that was done a short while ago. A large file is written less often.
+  Result<void> keep(int samples, std::uint64_t rays, std::vector<PixelSums>& pixels, bool now) {
+    const auto start = Clock::now();
+    const double since = std::chrono::duration<double>(start - saved_).count();
+    if (samples == kept_ || (!now && since < std::max(kSecondsBetween, kShareOfWriting * last_took_))) {
+      return {};
+    }
+    PathState state{view_.width, view_.height, samples, rays, fingerprint_, probe_, std::move(pixels)};
+    const std::vector<std::byte> bytes = encode_path_state(state);  // path/state.cpp
+    pixels = std::move(state.pixels);
+    auto written = write_file_atomically(options_.path.resume, bytes);
+    saved_ = Clock::now();
+    last_took_ = std::chrono::duration<double>(saved_ - start).count();
+    kept_ = samples;
+    return written;
+  }
+
+ private:
+  static constexpr double kSecondsBetween = 10, kShareOfWriting = 20;
+  const PathTracer& tracer_;
+  const View& view_;
+  const RenderOptions& options_;
+  std::uint64_t fingerprint_;
+  std::uint64_t probe_ = 0;
+  int found_ = 0, kept_ = 0;  // paths a pixel in the file: at first, now
+  Clock::time_point saved_{};
+  double last_took_ = 0;
+};
+
 void store(std::span<const PixelSums> pixels, int samples, std::span<const Aov> aovs, Rendering& result) {
   const double scale = 1.0 / samples;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -182,7 +251,8 @@ void store(std::span<const PixelSums> pixels, int samples, std::span<const Aov> 
 
 }  // namespace
 
-Result<void> render_path(const PreparedScene& scene, std::span<const Aov> aovs, const RenderOptions& options, Rendering& result) {
+Result<void> render_path(const PreparedScene& scene, std::span<const Aov> aovs, const RenderOptions& options, std::uint64_t fingerprint,
+                         Rendering& result) {
   const auto begin = Clock::now();
   const PathOptions& path = options.path;
   if (auto checked = check(path); !checked) {
@@ -203,6 +273,22 @@ Result<void> render_path(const PreparedScene& scene, std::span<const Aov> aovs, 
 
   int done = 0;
   double error = 0;
+  const auto error_so_far = [&] { return done >= kLeastForAnError || done >= path.samples ? error_of(pixels, done) : 0; };
+  std::optional<Keeper> keeper;
+  if (!path.resume.empty()) {
+    keeper.emplace(tracer, view, options, fingerprint);
+    auto kept = keeper->begin();
+    if (!kept) {
+      return tl::unexpected(kept.error());
+    }
+    done = kept->samples;
+    result.stats.rays = kept->rays;
+    result.stats.samples_resumed = keeper->found();
+    pixels = std::move(kept->pixels);
+    error = error_so_far();
+    meter.resume(done, error);
+  }
+  const int done_before = done;
   const auto is_done = [&] {
     return done >= path.samples || (path.seconds > 0 && done > 0 && seconds_since(begin) >= path.seconds) ||
            (path.target_error > 0 && done >= kLeastForAnError && error <= path.target_error);
@@ -210,14 +296,19 @@ Result<void> render_path(const PreparedScene& scene, std::span<const Aov> aovs, 
   while (!is_done()) {
     int count = std::min(path.samples - done, kLongestPass);
     if (path.seconds > 0) {  // what still fits, after a first look at one sample
-      const double each = done > 0 ? seconds_since(drawing) / done : 0;
+      const double each = done > done_before ? seconds_since(drawing) / (done - done_before) : 0;
       const double left = path.seconds - seconds_since(begin);
-      count = done == 0 ? 1 : std::clamp(static_cast<int>(std::min(left / std::max(each, 1e-9), 1e6)), 1, count);
+      count = done == done_before ? 1 : std::clamp(static_cast<int>(std::min(left / std::max(each, 1e-9), 1e6)), 1, count);
     }
     meter.begin_pass(done, count, error);
     result.stats.rays += draw_pass(tracer, view, options.threads, done, count, pixels, meter);
     done += count;
-    error = done >= kLeastForAnError || done >= path.samples ? error_of(pixels, done) : 0;
+    error = error_so_far();
+    if (keeper) {
+      if (auto kept = keeper->keep(done, result.stats.rays, pixels, is_done()); !kept) {
+        return kept;
+      }
+    }
   }
   result.stats.samples = done;
   result.stats.error = error_of(pixels, done);

@@ -13,6 +13,7 @@
 #include "parallel/parallel_for.hpp"
 #include "parallel/progress.hpp"
 #include "path/render.hpp"
+#include "path/state.hpp"
 #include "raster/bins.hpp"
 #include "raster/depth_maps.hpp"
 #include "raster/frame.hpp"
@@ -179,7 +180,8 @@ bool is_local_term(AovKind kind) {
 }
 
 /// The picture by paths; layers of numbers (depth, normals, ids, ...) by the rasterizer, for both see the same surfaces.
-Result<void> draw_paths(std::span<const Aov> aovs, const RenderOptions& options, Target target, Workshop& workshop, Rendering& result) {
+Result<void> draw_paths(const Scene& scene, std::span<const Aov> aovs, const RenderOptions& options, Target target, Workshop& workshop,
+                        Rendering& result) {
   bool wants_numbers = false;
   for (const Aov& aov : aovs) {
     if (is_local_term(aov.kind)) {
@@ -195,7 +197,8 @@ Result<void> draw_paths(std::span<const Aov> aovs, const RenderOptions& options,
     numbers.progress = {};
     rasterize(workshop, target, aovs, numbers, result);
   }
-  auto drawn = render_path(workshop.prepared, aovs, options, result);  // path/render.cpp
+  const std::uint64_t fingerprint = options.path.resume.empty() ? 0 : path_fingerprint(scene, options.path);  // path/state.cpp
+  auto drawn = render_path(workshop.prepared, aovs, options, fingerprint, result);                            // path/render.cpp
   if (drawn && result.stats.pixels_covered == 0) {
     result.stats.triangles_seen = setup_triangles(workshop.prepared, options.threads).size();
   }
@@ -225,7 +228,7 @@ Result<void> draw(const Scene& scene, const RenderOptions& options, Workshop& wo
   }
   if (options.engine == Engine::path) {
     note_what_paths_leave_out(prepared, result.notes);
-    auto drawn = draw_paths(*aovs, options, *target, workshop, result);
+    auto drawn = draw_paths(scene, *aovs, options, *target, workshop, result);
     result.times.total = milliseconds(Clock::now() - begin);
     return drawn;
   }

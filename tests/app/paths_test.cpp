@@ -39,6 +39,26 @@ TEST_F(PathCommand, StopsByTimeAndByError) {
   EXPECT_THAT(lustro({"render", "scene.json", "--engine", "path", "--target-error", "0.5", "-o", "out.png"}).err, HasSubstr("16 paths a pixel"));
 }
 
+TEST_F(PathCommand, GoesOnFromWhatAFileKept) {
+  const auto render = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"render", "scene.json", "--engine", "path", "--environment", "#fff"});
+    return lustro(more);
+  };
+  ASSERT_EQ(render({"--spp", "20", "-o", "whole.exr"}).code, 0);
+  EXPECT_THAT(render({"--spp", "6", "--resume", "state", "-o", "part.exr"}).err, HasSubstr(" 6 paths a pixel, "));
+  const Outcome rest = render({"--spp", "20", "--resume", "state", "-o", "part.exr", "--json"});
+  EXPECT_THAT(rest.err, HasSubstr("20 paths a pixel (6 of them from before), "));
+  EXPECT_THAT(rest.out, HasSubstr("\"resumed\": 6"));
+  EXPECT_EQ(lustro::hash_image(picture("whole.exr")), lustro::hash_image(picture("part.exr")));
+  const Outcome other = render({"--spp", "20", "--resume", "state", "--bounces", "2", "-o", "other.exr"});
+  EXPECT_EQ(other.code, 2) << other.err;
+  EXPECT_THAT(other.err, HasSubstr("state: it belongs to another scene, or to other flags"));
+  EXPECT_FALSE(std::filesystem::exists(work() / "other.exr"));
+  write_text(work() / "text", "a text");
+  EXPECT_THAT(render({"--resume", "text", "-o", "other.exr"}).err, HasSubstr("text: this is no state of a picture by paths"));
+  EXPECT_THAT(lustro({"render", "scene.json", "--resume", "state", "-o", "out.png"}).err, HasSubstr("--resume: belongs to --engine path"));
+}
+
 TEST_F(PathCommand, AnotherSeedDrawsAnotherNoise) {
   const auto hash = [&](const char* seed) {
     EXPECT_EQ(lustro({"render", "scene.json", "--engine", "path", "--spp", "1", "--seed", seed, "--environment", "#fff", "-o", "out.exr"}).code,

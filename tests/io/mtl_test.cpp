@@ -133,11 +133,18 @@ TEST(Mtl, IllumZeroAndOneSetTheLighting) {
 }
 
 TEST(Mtl, ModelsThatNeedRaysFallBackToTheirMapsAndSaySo) {
-  EXPECT_THAT(one("illum 3\n").notes, ElementsAre("m.mtl:2: illum 3 asks for traced reflections, which are not drawn: drawn as illum 2"));
-  EXPECT_THAT(one("illum 3\nrefl -type sphere a.png\n").notes,
-              ElementsAre("m.mtl:2: illum 3 asks for traced reflections, which are not drawn: its reflection map is"));
-  EXPECT_THAT(one("illum 7\nmap_refl a.png\n").notes,
-              ElementsAre("m.mtl:2: illum 7 asks for traced reflections and refraction by Fresnel, which are not drawn: its reflection map is"));
+  EXPECT_THAT(one("illum 3\n").notes,
+              ElementsAre("m.mtl:2: illum 3 asks for traced reflections, which the path tracer alone draws: elsewhere drawn as illum 2"));
+  EXPECT_THAT(
+      one("illum 3\nrefl -type sphere a.png\n").notes,
+      ElementsAre("m.mtl:2: illum 3 asks for traced reflections, which the path tracer alone draws: elsewhere its reflection map is drawn"));
+  EXPECT_THAT(one("illum 7\nmap_refl a.png\n").notes, ElementsAre("m.mtl:2: illum 7 asks for traced reflections and refraction by Fresnel, "
+                                                                  "which the path tracer alone draws: elsewhere its reflection map is drawn"));
+  EXPECT_THAT(one("illum 4\n").notes,
+              ElementsAre("m.mtl:2: illum 4 asks for traced reflections, which the path tracer alone draws, and highlights that "
+                          "hide what lies behind, which are not drawn: elsewhere drawn as illum 2"));
+  EXPECT_THAT(one("illum 9\n").notes,
+              ElementsAre("m.mtl:2: illum 9 asks for highlights that hide what lies behind, which are not drawn: drawn as illum 2"));
   EXPECT_THAT(one("illum 8\nrefl a.png\n").notes, IsEmpty());
   const One matte = one("d 0.7\nillum 10\n");
   EXPECT_EQ(matte.material.opacity, 0.7F);

@@ -52,6 +52,51 @@ TEST(Emitters, DirectionsToLightsFallAsTheirDensitySays) {
   }
 }
 
+// In the cone's own coordinates, so that the cells are as fine for a lamp that is nearly all around as for one that is a point.
+TEST(Emitters, DirectionsFillTheConeOfASphereEvenly) {
+  constexpr int kRows = 16;
+  constexpr int kColumns = 16;
+  constexpr int kSamples = 100000;
+  for (const double radius : {0.98, 0.6, 0.05, 0.003}) {
+    Scene scene = look({0, 0, 5}, 1);
+    Light lamp = area(LightType::sphere);
+    lamp.position = {0.36, -0.48, 0.8};
+    lamp.radius = radius;
+    scene.lights->push_back(lamp);
+    const PreparedScene ready = prepared(scene);
+    const Emitters emitters(ready);
+    const Vec3f position{0, 0, -5};  // relative to the eye: one away from the lamp's centre
+    const Vec3d axis{0.36, -0.48, 0.8};
+    const Vec3d x{0.8, 0.6, 0};
+    const Vec3d y = cross(axis, x);
+    const double cosine = std::sqrt(1 - radius * radius);
+    const double cap = radius * radius / (1 + cosine);  // 1 - cos
+    std::vector<double> found(kRows * kColumns);
+    Uniform uniform(7);
+    for (int i = 0; i < kSamples; ++i) {
+      const EmitterSample sample = emitters.sample(position, uniform.two());
+      EXPECT_NEAR(static_cast<double>(sample.density) * (2 * kPi * cap), 1, 2e-4) << radius;
+      const Vec3d d = vec_cast<double>(sample.to_light);
+      const double along_x = dot(d, x);
+      const double along_y = dot(d, y);
+      const double sine2 = along_x * along_x + along_y * along_y;
+      const double z = dot(d, axis) > 0 ? std::sqrt(1 - std::min(sine2, 1.0)) : 0;
+      const double row = sine2 / (1 + z) / cap * kRows;  // (1 - cos) / cap is even in 0..1
+      const double column = (std::atan2(along_y, along_x) / (2 * kPi) + 0.5) * kColumns;
+      EXPECT_LT(row, kRows * (1 + 1e-3)) << radius;
+      const int r = std::clamp(static_cast<int>(row), 0, kRows - 1);
+      const int c = std::clamp(static_cast<int>(column), 0, kColumns - 1);
+      found[static_cast<std::size_t>(r * kColumns + c)] += 1;
+      // The way ends on the sphere's near side.
+      const Vec3d at = d * static_cast<double>(sample.distance) - axis;
+      EXPECT_NEAR(std::sqrt(dot(at, at)), radius, 2e-3 * radius + 1e-5) << radius;
+      EXPECT_LE(static_cast<double>(sample.distance), 1) << radius;
+    }
+    expect_counts(found, std::vector<double>(kRows * kColumns, static_cast<double>(kSamples) / (kRows * kColumns)),
+                  "radius " + std::to_string(radius));
+  }
+}
+
 TEST(Emitters, EmittingTrianglesAreFoundByTheirPower) {
   Scene scene = look({0, 0, 5}, 1);
   Material dim = lambert(0);
