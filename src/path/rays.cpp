@@ -68,7 +68,7 @@ struct RayScene::State {
   // Of one instance: what is asked of a triangle at every hit, beside the vertices, which the hierarchy keeps.
   struct Triangle {
     Vec3f normal;
-    float offset;
+    float offset = 0;
   };
   struct Table {
     const Mesh* mesh = nullptr;

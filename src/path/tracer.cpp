@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "path/bsdf.hpp"
 #include "shade/fog.hpp"
@@ -55,8 +56,8 @@ struct PathTracer::Walk {  // NOLINT(cppcoreguidelines-pro-type-member-init): an
   [[nodiscard]] Vec3f both() const { return diffuse + specular; }
 };
 
-PathTracer::PathTracer(const PreparedScene& scene, const RayScene& rays, const PathOptions& options)
-    : scene_(&scene), rays_(&rays), options_(options), emitters_(scene) {
+PathTracer::PathTracer(const PreparedScene& scene, const RayScene& rays, PathOptions options)
+    : scene_(&scene), rays_(&rays), options_(std::move(options)), emitters_(scene) {
   for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
     if (!is_area(scene.stated_lights[i].type)) {
       delta_lights_.push_back(i);

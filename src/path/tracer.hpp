@@ -22,7 +22,7 @@ struct PathResult {
 class PathTracer {
  public:
   /// `scene` and `rays` must outlive it.
-  PathTracer(const PreparedScene& scene, const RayScene& rays, const PathOptions& options);
+  PathTracer(const PreparedScene& scene, const RayScene& rays, PathOptions options);
 
   /// One path through pixel (x, y). rays: is increased by those that were shot.
   [[nodiscard]] PathResult follow(int x, int y, std::uint32_t sample, std::uint64_t& rays) const;
