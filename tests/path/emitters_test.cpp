@@ -56,7 +56,7 @@ TEST(Emitters, DirectionsToLightsFallAsTheirDensitySays) {
 TEST(Emitters, DirectionsFillTheConeOfASphereEvenly) {
   constexpr int kRows = 16;
   constexpr int kColumns = 16;
-  constexpr int kSamples = 100000;
+  constexpr int kSamples = 400000;
   for (const double radius : {0.98, 0.6, 0.05, 0.003}) {
     Scene scene = look({0, 0, 5}, 1);
     Light lamp = area(LightType::sphere);
