@@ -42,6 +42,9 @@ inline std::int32_t truncate(float a) { return static_cast<std::int32_t>(a); }
 /// p[index] of every lane.
 inline float gather(const float* p, std::int32_t index) { return p[index]; }
 inline std::int32_t gather(const std::int32_t* p, std::int32_t index) { return p[index]; }
+/// Two numbers beside each other at each of two places.
+template <class F> struct TwoPairs { F first_left, first_right, second_left, second_right; };
+inline TwoPairs<float> gather_pairs(const float* p, std::int32_t first, std::int32_t second) { return {p[first], p[first + 1], p[second], p[second + 1]}; }
 /// The largest whole number that is not above; of any float, NaN and infinities stay.
 inline float floor_of(float a) {
   if (!(std::abs(a) < 8388608.0F)) {

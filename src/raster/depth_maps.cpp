@@ -38,7 +38,7 @@ void DepthWorkshop::forget() {
 
 namespace {
 
-constexpr int kTile = 128;  // texels: two planes of them stay in the cache, and few clusters lie in several
+constexpr int kTile = 256;  // texels: their keys stay in the cache, and few clusters lie in several
 
 void draw_face(const DepthFace& face, float* keys, const Kernels& kernels, int threads, DepthWorkshop::Bench& bench) {
   look_from(bench.casters, face.view);
@@ -59,7 +59,7 @@ void draw_face(const DepthFace& face, float* keys, const Kernels& kernels, int t
       return;
     }
     TileScratch* scratch = pool.take();
-    kernels.fill_tile(frame, tile, *scratch);
+    kernels.fill_keys(frame, tile, *scratch);
     const float* from = scratch->depth_key.data();
     for (int y = area.top; y < area.bottom; ++y, to += stride, from += scratch->stride) {
       std::memcpy(to, from, width);

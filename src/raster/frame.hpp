@@ -206,6 +206,8 @@ struct TileScratch {
 struct Kernels {
   /// Fills depth_key, winner and records from all that touches the tile.
   void (*fill_tile)(const Frame& frame, std::size_t tile, TileScratch& scratch);
+  /// Fills depth_key alone, from all that touches the tile.
+  void (*fill_keys)(const Frame& frame, std::size_t tile, TileScratch& scratch);
   /// Shades what is seen and stores the tile's pixels.
   void (*shade_tile)(const Frame& frame, std::size_t tile, TileScratch& scratch);
 };

@@ -9,7 +9,7 @@ namespace lustro {
 
 const Kernels& LUSTRO_KERNELS(LUSTRO_ROW)();
 const Kernels& LUSTRO_KERNELS(LUSTRO_ROW)() {
-  static constexpr Kernels kKernels{HWY_NAMESPACE::fill_tile, HWY_NAMESPACE::shade_tile};
+  static constexpr Kernels kKernels{HWY_NAMESPACE::fill_tile, HWY_NAMESPACE::fill_keys, HWY_NAMESPACE::shade_tile};
   return kKernels;
 }
 

@@ -10,6 +10,8 @@ namespace lustro::HWY_NAMESPACE {
 
 /// The tile that is being filled.
 struct Canvas {
+  static constexpr bool kKeepsWinners = true;
+
   const Frame& frame;
   TileScratch& scratch;
   TileArea area;
@@ -19,6 +21,11 @@ struct Canvas {
   [[nodiscard]] std::size_t at(int x, int y) const {
     return static_cast<std::size_t>(y - area.top) * scratch.stride + static_cast<std::size_t>(x - area.left);
   }
+};
+
+/// A tile of a map of depths: which triangle is the nearest is not asked, and all of them are opaque.
+struct KeyCanvas : Canvas {
+  static constexpr bool kKeepsWinners = false;
 };
 
 /// Pixels that may have a sample inside a triangle's box; bounds included.
@@ -41,7 +48,8 @@ inline HWY_NOINLINE bool settle_ties(TileScratch& s, std::uint32_t ties, std::si
 }
 
 /// Lanes of one row against what the samples show so far.
-HWY_INLINE bool merge(TileScratch& s, Mask inside, Float key, Float farthest, std::size_t at, std::uint32_t record) {
+HWY_INLINE bool merge(const Canvas& c, Mask inside, Float key, Float farthest, std::size_t at, std::uint32_t record) {
+  TileScratch& s = c.scratch;
   const Float old = load(&s.depth_key[at]);
   const Mask is_near = inside & (key >= farthest);
   const Mask wins = is_near & (key > old);
@@ -57,6 +65,42 @@ HWY_INLINE bool merge(TileScratch& s, Mask inside, Float key, Float farthest, st
   }
   return has_won;
 }
+
+/// The same of keys alone. A branch would be foreseen less often than it spares a store.
+HWY_INLINE bool merge(const KeyCanvas& c, Mask inside, Float key, Float farthest, std::size_t at, std::uint32_t) {
+  float* keys = &c.scratch.depth_key[at];
+  const Float old = load(keys);
+  store(keys, select(inside & (key >= farthest) & (key > old), key, old));
+  return true;
+}
+
+#if HWY_TARGET != HWY_SCALAR
+/// A patch of 4 columns against what the samples show so far.
+HWY_INLINE bool merge_patch(const Canvas& c, Mask inside, Float key, Float farthest, std::size_t at, std::uint32_t record) {
+  TileScratch& s = c.scratch;
+  const Float old = load_patch(&s.depth_key[at], s.stride);
+  const Mask is_near = inside & (key >= farthest);
+  const Mask wins = is_near & (key > old);
+  const Mask ties = is_near & (key == old);
+  bool has_won = false;
+  if (HWY_UNLIKELY(any_of(ties))) {
+    has_won = settle_ties(s, mask_bits(ties), at, 4, record);
+  }
+  if (any_of(wins)) {
+    store_patch(&s.depth_key[at], s.stride, select(wins, key, old));
+    store_patch(&s.winner[at], s.stride, select(wins, Int(static_cast<std::int32_t>(record)), load_patch(&s.winner[at], s.stride)));
+    has_won = true;
+  }
+  return has_won;
+}
+
+HWY_INLINE bool merge_patch(const KeyCanvas& c, Mask inside, Float key, Float farthest, std::size_t at, std::uint32_t) {
+  TileScratch& s = c.scratch;
+  const Float old = load_patch(&s.depth_key[at], s.stride);
+  store_patch(&s.depth_key[at], s.stride, select(inside & (key >= farthest) & (key > old), key, old));
+  return true;
+}
+#endif
 
 /// 0 on a top or left edge, whose points are inside, else -1.
 HWY_INLINE std::int32_t edge_bias(std::int32_t from_x, std::int32_t from_y, std::int32_t to_x, std::int32_t to_y) {

@@ -20,28 +20,9 @@ namespace lustro::HWY_NAMESPACE {
 /// Below this extent, 1/256 pixel, an edge function stays below 2^31 in a triangle's box and a vector's width around it.
 inline constexpr std::int32_t kSmallExtent = 64 * kSubpixelUnits;
 
-#if HWY_TARGET != HWY_SCALAR
-/// The same for a patch.
-HWY_INLINE bool merge_patch(TileScratch& s, Mask inside, Float key, Float farthest, std::size_t at, std::uint32_t record) {
-  const Float old = load_patch(&s.depth_key[at], s.stride);
-  const Mask is_near = inside & (key >= farthest);
-  const Mask wins = is_near & (key > old);
-  const Mask ties = is_near & (key == old);
-  bool has_won = false;
-  if (HWY_UNLIKELY(any_of(ties))) {
-    has_won = settle_ties(s, mask_bits(ties), at, 4, record);
-  }
-  if (any_of(wins)) {
-    store_patch(&s.depth_key[at], s.stride, select(wins, key, old));
-    store_patch(&s.winner[at], s.stride, select(wins, Int(static_cast<std::int32_t>(record)), load_patch(&s.winner[at], s.stride)));
-    has_won = true;
-  }
-  return has_won;
-}
-#endif
-
 /// One triangle whose edge functions fit 32 bits: in patches where it is narrow, else in rows.
-inline HWY_NOINLINE bool fill_small(const Canvas& c, const Record& t, std::uint32_t record, const PixelRange& range) {
+template <class AnyCanvas>
+inline HWY_NOINLINE bool fill_small(const AnyCanvas& c, const Record& t, std::uint32_t record, const PixelRange& range) {
   TileScratch& s = c.scratch;
   const Float key0(t.key[0]);
   const Float slope1((t.key[1] - t.key[0]) * t.inverse_area);
@@ -84,6 +65,27 @@ inline HWY_NOINLINE bool fill_small(const Canvas& c, const Record& t, std::uint3
       Int row1 = lanes1 + Int(dx1 * (py - y2) - dy1 * (px - x2));
       Int row2 = lanes2 + Int(dx2 * (py - y0) - dy2 * (px - x0));
       std::size_t at = sample * s.plane + c.at(range.left, range.top);
+      if constexpr (!AnyCanvas::kKeepsWinners && !kIsPatch) {
+        if (range.right - range.left < 2 * kColumns) {  // what is not covered there is sooner merged than foreseen
+          for (int x = range.left; x <= range.right; x += kColumns, at += static_cast<std::size_t>(kColumns)) {
+            Int e0 = row0;
+            Int e1 = row1;
+            Int e2 = row2;
+            std::size_t here = at;
+            for (int y = range.top; y <= range.bottom; ++y, here += s.stride) {
+              const Mask inside = !(((e0 + bias0) | (e1 + bias1) | (e2 + bias2)) < Int(0));
+              merge(c, inside, (key0 + slope1 * to_float(e1)) + slope2 * to_float(e2), farthest, here, record);
+              e0 = e0 + down0;
+              e1 = e1 + down1;
+              e2 = e2 + down2;
+            }
+            row0 = row0 - right0;
+            row1 = row1 - right1;
+            row2 = row2 - right2;
+          }
+          continue;
+        }
+      }
       for (int y = range.top; y <= range.bottom; y += static_cast<int>(kRows)) {
         Int e0 = row0;
         Int e1 = row1;
@@ -98,11 +100,11 @@ inline HWY_NOINLINE bool fill_small(const Canvas& c, const Record& t, std::uint3
             const Float key = (key0 + slope1 * to_float(e1)) + slope2 * to_float(e2);
 #if HWY_TARGET != HWY_SCALAR
             if constexpr (kIsPatch) {
-              has_won |= merge_patch(s, inside, key, farthest, here, record);
+              has_won |= merge_patch(c, inside, key, farthest, here, record);
             } else
 #endif
             {
-              has_won |= merge(s, inside, key, farthest, here, record);
+              has_won |= merge(c, inside, key, farthest, here, record);
             }
           }
           x += kColumns;
@@ -126,7 +128,8 @@ inline HWY_NOINLINE bool fill_small(const Canvas& c, const Record& t, std::uint3
 }
 
 /// One triangle of any size: the same with whole numbers in doubles.
-inline HWY_NOINLINE bool fill_large(const Canvas& c, const Record& t, std::uint32_t record, const PixelRange& range) {
+template <class AnyCanvas>
+inline HWY_NOINLINE bool fill_large(const AnyCanvas& c, const Record& t, std::uint32_t record, const PixelRange& range) {
   TileScratch& s = c.scratch;
   const Float key0(t.key[0]);
   const Float slope1((t.key[1] - t.key[0]) * t.inverse_area);
@@ -177,7 +180,7 @@ inline HWY_NOINLINE bool fill_large(const Canvas& c, const Record& t, std::uint3
         }
         if (any_of(inside)) {
           const Float key = (key0 + slope1 * e1) + slope2 * e2;
-          has_won |= merge(s, inside, key, farthest, here, record);
+          has_won |= merge(c, inside, key, farthest, here, record);
         }
         for (std::size_t i = 0; i < 3; ++i) {
           begin[i] -= dy[i] * static_cast<double>(static_cast<int>(kLanes) * kSubpixelUnits);
@@ -267,6 +270,7 @@ struct TriangleSource {
 };
 
 /// The geometry of one of the lanes, as the next record.
+template <bool kHasId>
 HWY_INLINE Record& begin_record(TileScratch& s, const TriangleLanes& lanes, const TriangleSource& source, std::size_t i) {
   Record& t = next_record(s);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -276,7 +280,9 @@ HWY_INLINE Record& begin_record(TileScratch& s, const TriangleLanes& lanes, cons
   }
   t.inverse_area = lanes.inverse_area[i];
   t.flags = static_cast<std::uint32_t>(lanes.flags[i]);
-  t.id = source.instance.first_triangle + source.in_mesh(i);
+  if constexpr (kHasId) {
+    t.id = source.instance.first_triangle + source.in_mesh(i);
+  }
   return t;
 }
 
@@ -330,7 +336,8 @@ struct TinyTriangles {
   Float key0, key1, key2, inverse_area;
   Int lowest_x, lowest_y, highest_x, highest_y;
 };
-inline HWY_NOINLINE void fill_tiny(const Canvas& c, const TinyTriangles& t, Mask chosen, const TriangleLanes& lanes,
+template <class AnyCanvas>
+inline HWY_NOINLINE void fill_tiny(const AnyCanvas& c, const TinyTriangles& t, Mask chosen, const TriangleLanes& lanes,
                                    const TriangleSource& source) {
   TileScratch& s = c.scratch;
   const Float slope1 = (t.key1 - t.key0) * t.inverse_area;
@@ -389,6 +396,10 @@ inline HWY_NOINLINE void fill_tiny(const Canvas& c, const TinyTriangles& t, Mask
           const auto i = static_cast<std::size_t>(__builtin_ctz(left));
           const auto place = static_cast<std::size_t>(places[i]);
           const float old = s.depth_key[place];
+          if constexpr (!AnyCanvas::kKeepsWinners) {
+            s.depth_key[place] = keys[i] > old ? keys[i] : old;
+            continue;
+          }
           if (keys[i] < old) {
             continue;
           }
@@ -398,7 +409,7 @@ inline HWY_NOINLINE void fill_tiny(const Canvas& c, const TinyTriangles& t, Mask
           if ((has_record >> i & 1) == 0) {
             has_record |= 1U << i;
             records[i] = static_cast<std::uint32_t>(s.record_count);
-            keep_record(s, begin_record(s, lanes, source, i), lanes, source, i);
+            keep_record(s, begin_record<true>(s, lanes, source, i), lanes, source, i);
           }
           s.depth_key[place] = keys[i];
           s.winner[place] = records[i];
@@ -412,9 +423,10 @@ inline HWY_NOINLINE void fill_tiny(const Canvas& c, const TinyTriangles& t, Mask
 }
 
 /// One of the lanes on its own.
-inline HWY_NOINLINE void fill_one(const Canvas& c, const TriangleLanes& lanes, const TriangleSource& source, std::size_t i) {
+template <class AnyCanvas>
+inline HWY_NOINLINE void fill_one(const AnyCanvas& c, const TriangleLanes& lanes, const TriangleSource& source, std::size_t i) {
   TileScratch& s = c.scratch;
-  Record& t = begin_record(s, lanes, source, i);
+  Record& t = begin_record<AnyCanvas::kKeepsWinners>(s, lanes, source, i);
   const bool is_small = (t.flags & Record::kSmall) != 0;
   if (!is_small) {  // its area does not fit 32 bits: once more, from the vertices
     for (std::size_t k = 1; k < 3; ++k) {
@@ -430,16 +442,17 @@ inline HWY_NOINLINE void fill_one(const Canvas& c, const TriangleLanes& lanes, c
   }
   const auto record = static_cast<std::uint32_t>(s.record_count);
   const PixelRange range{lanes.left[i], lanes.top[i], lanes.right[i], lanes.bottom[i]};
-  if (HWY_UNLIKELY(c.mode != AlphaMode::opaque)) {
+  if (AnyCanvas::kKeepsWinners && HWY_UNLIKELY(c.mode != AlphaMode::opaque)) {
     complete_record(t, lanes, source, i);
     s.record_count += fill_seen_through(c, t, record, range) ? 1U : 0U;
-  } else if (is_small ? fill_small(c, t, record, range) : fill_large(c, t, record, range)) {
+  } else if ((is_small ? fill_small(c, t, record, range) : fill_large(c, t, record, range)) && AnyCanvas::kKeepsWinners) {
     keep_record(s, t, lanes, source, i);
   }
 }
 
 /// The cluster's triangles, kLanes at a time: those that cannot hold a sample are dropped, the others are filled.
-inline HWY_NOINLINE void fill_triangles(const Canvas& c, const Instance& instance, const Cluster& cluster) {
+template <class AnyCanvas>
+inline HWY_NOINLINE void fill_triangles(const AnyCanvas& c, const Instance& instance, const Cluster& cluster) {
   TileScratch& s = c.scratch;
   const Frame& frame = c.frame;
   const std::uint32_t* corners = instance.drawable->clusters.corners.data() + cluster.first_triangle;
@@ -543,7 +556,8 @@ inline HWY_NOINLINE void fill_triangles(const Canvas& c, const Instance& instanc
 }
 
 /// A triangle that was clipped or lies near what clips.
-inline void fill_loose(const Canvas& c, std::uint32_t index) {
+template <class AnyCanvas>
+inline void fill_loose(const AnyCanvas& c, std::uint32_t index) {
   const ScreenTriangle& t = c.frame.loose[index];
   const Instance& instance = c.frame.scene->instances[t.instance];
   Record& r = next_record(c.scratch);
@@ -577,7 +591,7 @@ inline void fill_loose(const Canvas& c, std::uint32_t index) {
             (t.is_clipped ? Record::kClipped | index << Record::kLooseShift : 0U);
   const auto record = static_cast<std::uint32_t>(c.scratch.record_count);
   const bool is_kept = c.mode == AlphaMode::opaque ? fill_large(c, r, record, range) : fill_seen_through(c, r, record, range);
-  c.scratch.record_count += is_kept ? 1U : 0U;
+  c.scratch.record_count += is_kept && AnyCanvas::kKeepsWinners ? 1U : 0U;
 }
 
 /// The smallest depth key in a block of the tile, over all samples: what lies wholly behind it is not seen.
@@ -686,7 +700,8 @@ HWY_INLINE void prefetch_cluster(const Frame& frame, const VisibleCluster& visib
 }
 
 /// The tile's triangles of the canvas's alpha mode.
-inline HWY_NOINLINE void fill_mode(const Canvas& c, std::size_t tile) {
+template <class AnyCanvas>
+inline HWY_NOINLINE void fill_mode(const AnyCanvas& c, std::size_t tile) {
   const Frame& frame = c.frame;
   TileScratch& s = c.scratch;
   const std::span<const std::uint32_t> loose = frame.loose_lists.of(tile);
@@ -723,29 +738,47 @@ inline HWY_NOINLINE void fill_mode(const Canvas& c, std::size_t tile) {
   }
 }
 
-inline void fill_tile(const Frame& frame, std::size_t tile, TileScratch& s) {
-  const TileArea area = frame.area(tile);
-  const std::span<const std::uint32_t> clusters = frame.cluster_lists.of(tile);
-  s.record_count = 0;
-  s.sorted_count = 0;
-  if (clusters.empty() && frame.loose_lists.of(tile).empty() && !frame.wants_all) {
-    return;  // shade_tile() does not look at it
-  }
+/// An empty tile, and the order of its clusters.
+template <bool kKeepsWinners>
+HWY_INLINE void begin_tile(const Frame& frame, std::size_t tile, const TileArea& area, TileScratch& s) {
   const std::size_t rows = static_cast<std::size_t>(area.bottom - area.top) * s.stride;
   for (std::size_t sample = 0; sample < frame.pattern.size(); ++sample) {
     for (std::size_t i = 0; i < rows; i += kLanes) {  // a key is never below 0
       store(&s.depth_key[sample * s.plane + i], Float(-1));
-      store(&s.winner[sample * s.plane + i], Int(-1));
+      if constexpr (kKeepsWinners) {
+        store(&s.winner[sample * s.plane + i], Int(-1));
+      }
     }
   }
   for (float& farthest : s.block_farthest) {
     farthest = -1;
   }
-  s.sorted_count = sort_clusters(frame, clusters, s).size();
-  fill_mode({frame, s, area, AlphaMode::opaque, area.top, area.bottom}, tile);
-  if (HWY_UNLIKELY((frame.alpha_modes & bit_of(AlphaMode::mask)) != 0)) {
-    fill_mode({frame, s, area, AlphaMode::mask, area.top, area.bottom}, tile);
+  s.sorted_count = sort_clusters(frame, frame.cluster_lists.of(tile), s).size();
+}
+
+inline void fill_tile(const Frame& frame, std::size_t tile, TileScratch& s) {
+  const TileArea area = frame.area(tile);
+  s.record_count = 0;
+  s.sorted_count = 0;
+  if (frame.cluster_lists.of(tile).empty() && frame.loose_lists.of(tile).empty() && !frame.wants_all) {
+    return;  // shade_tile() does not look at it
   }
+  begin_tile<true>(frame, tile, area, s);
+  fill_mode(Canvas{frame, s, area, AlphaMode::opaque, area.top, area.bottom}, tile);
+  if (HWY_UNLIKELY((frame.alpha_modes & bit_of(AlphaMode::mask)) != 0)) {
+    fill_mode(Canvas{frame, s, area, AlphaMode::mask, area.top, area.bottom}, tile);
+  }
+}
+
+inline void fill_keys(const Frame& frame, std::size_t tile, TileScratch& s) {
+  if (HWY_UNLIKELY(frame.alpha_modes != bit_of(AlphaMode::opaque))) {  // a mask's opacity is found by its record
+    fill_tile(frame, tile, s);
+    return;
+  }
+  const TileArea area = frame.area(tile);
+  s.record_count = 0;
+  begin_tile<false>(frame, tile, area, s);
+  fill_mode(KeyCanvas{{frame, s, area, AlphaMode::opaque, area.top, area.bottom}}, tile);
 }
 
 }  // namespace lustro::HWY_NAMESPACE

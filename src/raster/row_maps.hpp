@@ -240,24 +240,10 @@ HWY_INLINE void put_coefficients(Strip& strip, std::size_t i, const Coefficients
   Strip::put(strip.emission, i, k.emission);
 }
 
-/// Lanes whose surface faces the light, as the equation judges it: N.L > 0.
-HWY_INLINE Mask is_before(const ShadingLight& light, const Vec3<Float>& position, const Vec3<Float>& normal) {
-  return dot(normal, incident_light(light, position).to_light) > Float(0);
-}
-
-/// may_change  the normal may still be turned
-HWY_INLINE void put_surface(const Run& run, Strip& strip, std::size_t i, const Batch& batch, bool may_change = true) {
+HWY_INLINE void put_surface(const Run& run, Strip& strip, std::size_t i, const Batch& batch) {
   Strip::put(strip.position, i, batch.position);
   Strip::put(strip.normal, i, batch.normal);
   Strip::put(strip.to_eye, i, run.frame.scene->view.to_eye_at(batch.at.x, batch.at.y));
-  const PreparedScene& scene = *run.frame.scene;
-  bool is_asked_for = !scene.occlusion.empty() || (may_change && !scene.shadows.empty());
-  for (std::size_t l = 0; l < scene.shadows.maps.size() && !is_asked_for; ++l) {
-    is_asked_for = scene.lights[l].has_shadow && any_of(is_before(scene.lights[l], batch.position, batch.normal));
-  }
-  if (is_asked_for) {
-    Strip::put(strip.face_normal, i, batch.faces.face_normal());
-  }
 }
 
 /// Fragment by fragment, all maps of a batch at once.

@@ -274,7 +274,7 @@ inline HWY_NOINLINE bool find_sheets(const Frame& frame, std::size_t tile, TileS
   }
   s.sheet_count = 0;
   s.has_too_many_sheets = false;
-  fill_mode({frame, s, s.area, AlphaMode::blend, top, bottom}, tile);
+  fill_mode(Canvas{frame, s, s.area, AlphaMode::blend, top, bottom}, tile);
   if (s.has_too_many_sheets) {
     return false;
   }

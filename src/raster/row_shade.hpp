@@ -8,6 +8,7 @@
 
 #include "raster/row_maps.hpp"
 #include "raster/row_strip.hpp"
+#include "raster/row_visibility.hpp"
 
 // What a kernel fills is not cleared first.
 // NOLINTBEGIN(cppcoreguidelines-pro-type-member-init)
@@ -24,80 +25,6 @@ struct Shaded {
   Terms<Float> terms;
   Vec3<Float> scene_part;
 };
-
-/// a, stored in the place after the last light.
-inline HWY_NOINLINE void find_openness(const PreparedScene& scene, TileScratch& s, std::size_t at, const Vec3<Float>& position,
-                                       const Vec3<Float>& normal, const Vec3<Float>& face_normal) {
-  store(&s.visibilities[scene.lights.size() * kStrip + at], openness_at(scene.occlusion.shading, position, normal, face_normal));
-}
-
-/// What of the lights and of all that surrounds it arrives at a batch of fragments, at the first place of TileScratch::visibilities;
-/// reference/visibilities.cpp.
-inline HWY_NOINLINE void find_visibilities(const PreparedScene& scene, TileScratch& s, const Vec3<Float>& position, const Vec3<Float>& normal,
-                                           const Vec3<Float>& face_normal) {
-  for (std::size_t l = 0; l < scene.shadows.maps.size(); ++l) {
-    const DepthMap& map = scene.shadows.maps[l];
-    if (map.shape != DepthShape::none) {
-      store(&s.visibilities[l * kStrip], visibility_in(map, position, face_normal));
-    }
-  }
-  if (!scene.occlusion.empty()) {
-    find_openness(scene, s, 0, position, normal, face_normal);
-  }
-}
-
-/// Asks for the texels that lanes will read of a parallel map: they lie far apart, and most are not in the cache.
-HWY_INLINE void prefetch_texels(const DepthMap& map, const Vec3<Float>& position) {
-  const Float center(static_cast<float>(map.size) * 0.5F);
-  const Vec3<Float> at = map.place(position);
-  const Int row = truncate(lowest_texel(map, at.y + center));
-  const Int column = truncate(lowest_texel(map, at.x + center));
-  alignas(64) std::array<std::int32_t, kLanes> places;
-  store(places.data(), row * Int(map.size) + column);
-  for (const std::int32_t place : places) {
-    __builtin_prefetch(map.keys + place);
-    __builtin_prefetch(map.keys + place + map.size);
-  }
-}
-
-/// The same of a strip. Where a light is behind the surface nothing asks for it.
-inline HWY_NOINLINE void find_visibilities(const Run& run, const Strip& strip) {
-  const PreparedScene& scene = *run.frame.scene;
-  for (std::size_t l = 0; l < scene.shadows.maps.size(); ++l) {
-    const DepthMap& map = scene.shadows.maps[l];
-    if (map.shape == DepthShape::none) {
-      continue;
-    }
-    const ShadingLight& light = scene.lights[l];
-    float* visibilities = &run.s.visibilities[l * kStrip];
-    const auto faces_light = [&](std::size_t i) { return any_of(is_before(light, Strip::get(strip.position, i), Strip::get(strip.normal, i))); };
-    constexpr std::size_t kAhead = 4 * kLanes;
-    const auto prefetch = [&](std::size_t i) {
-      if (map.shape == DepthShape::parallel && i < run.count && faces_light(i)) {
-        prefetch_texels(map, Strip::get(strip.position, i));
-      }
-    };
-    for (std::size_t i = 0; i < kAhead; i += kLanes) {
-      prefetch(i);
-    }
-    for (std::size_t i = 0; i < run.count; i += kLanes) {
-      prefetch(i + kAhead);
-      store(visibilities + i, faces_light(i) ? visibility_in(map, Strip::get(strip.position, i), Strip::get(strip.face_normal, i)) : Float(0));
-    }
-  }
-  for (std::size_t i = 0; i < run.count && !scene.occlusion.empty(); i += kLanes) {
-    find_openness(scene, run.s, i, Strip::get(strip.position, i), Strip::get(strip.normal, i), Strip::get(strip.face_normal, i));
-  }
-}
-
-/// The same of one batch, at the first place.
-HWY_INLINE const float* find_visibilities(const PreparedScene& scene, TileScratch& s, const Batch& batch) {
-  if (HWY_UNLIKELY(scene.looks_beyond())) {
-    const Vec3<Float> face_normal = batch.faces.face_normal();
-    find_visibilities(scene, s, batch.position, scene.shading.interpolation == Interpolation::phong ? batch.normal : face_normal, face_normal);
-  }
-  return s.visibilities.data();
-}
 
 /// seen   of the fragments, their place in TileScratch::visibilities: find_visibilities()
 /// after  maps of a pixel that are laid upon the light of a face or a vertex, or null: of its parts alone, the terms are left as they are
@@ -291,7 +218,7 @@ inline HWY_NOINLINE void make_surfaces(const Run& run, Strip& strip) {
   const bool has_tint = !run.instance.drawable->colors.empty();
   for (std::size_t i = 0; i < run.count; i += kLanes) {
     const Batch batch = run.batch(i);
-    put_surface(run, strip, i, batch, false);
+    put_surface(run, strip, i, batch);
     if (has_tint) {
       Strip::put(strip.tint, i, batch.faces.tint(batch.at.weights));
     }

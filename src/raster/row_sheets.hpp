@@ -76,7 +76,7 @@ HWY_INLINE bool fill_mask(const Canvas& c, const Record& t, std::uint32_t record
     }
     const Mask is_dense = is_near & (opacity_at_points(c.frame, t, is_near, px, py) >= cutoff);
     if (any_of(is_dense)) {
-      has_won |= merge(c.scratch, is_dense, key, Float(c.frame.farthest), at, record);
+      has_won |= merge(c, is_dense, key, Float(c.frame.farthest), at, record);
     }
   });
   return has_won;

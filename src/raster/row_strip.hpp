@@ -17,7 +17,6 @@ struct Strip {
   alignas(64) Rows ambient, diffuse, specular, emission;  // coefficients, where maps change them
   alignas(64) std::array<float, kStrip> shininess;        // where a map does
   alignas(64) Rows reflection;                            // reflected_surroundings(), where there is a reflection map
-  alignas(64) Rows face_normal;                           // where there are shadows or occlusion
 
   HWY_INLINE static void put(Rows& rows, std::size_t i, const Vec3<Float>& value) {
     store(&rows[0][i], value.x);

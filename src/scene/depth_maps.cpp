@@ -57,7 +57,7 @@ void plan_parallel(const ShadowSettings& settings, const ShadingLight& light, co
   double side = std::max(reach[0] + reach[1], reach[2] + reach[3]);
   side = std::max({side, 1e-6 * depth, 1e-6 * (std::abs(middle(0)) + std::abs(middle(2)))});  // a scene may be a point, seen from the light
   side = side > 0 ? side : 1;
-  const double slack = 0.01 * std::max(depth, side);
+  const double slack = 0.125 * std::max(depth, side);  // boxes around parts of what is drawn stick out of it, and are to be before the eye
   view.eye = ((view.right * middle(0) + view.up * middle(2)) + view.forward * (-reach[5] - 2 * slack));
   view.target = view.eye + view.forward;
   view.near = slack;

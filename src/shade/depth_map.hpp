@@ -106,40 +106,82 @@ LUSTRO_INLINE F lowest_texel(const DepthMap& map, const F& at) {
   return lane_min(lane_max(at, F(reach)), F(static_cast<float>(map.size) - reach - 0.5F)) - F(reach);  // NaN: the first texel
 }
 
+/// The texels that a look-up reads: a square of 2 + 2 softness a side.
+template <class F>
+struct DepthSquare {
+  IntOf<F> first;      ///< the upper left one
+  F share_x, share_y;  ///< of the last column and row; the first ones count by the rest
+  F key;               ///< of the plane, at the centre of the first texel
+  F slope_x, slope_y;  ///< of the key, a texel
+};
+
+template <class F>
+LUSTRO_INLINE DepthSquare<F> square_around(const DepthMap& map, const Vec3<F>& position, const Vec3<F>& normal) {
+  const DepthPlane<F> plane = depth_plane(map, position, normal);
+  const F left = lowest_texel(map, plane.x);
+  const F top = lowest_texel(map, plane.y);
+  const IntOf<F> column = truncate(left);
+  const IntOf<F> row = truncate(top);
+  return {plane.first + row * IntOf<F>(map.size) + column,
+          left - to_float(column),
+          top - to_float(row),
+          (plane.key + plane.slope_x * ((to_float(column) + F(0.5F)) - plane.x)) + plane.slope_y * ((to_float(row) + F(0.5F)) - plane.y),
+          plane.slope_x,
+          plane.slope_y};
+}
+
 /// v, 0..1: the share of the texels around the point that are not nearer to the light than the receiver's plane. The square that counts has 1 +
 /// 2 softness texels a side and lies around the point; texels that it cuts count by what of them lies within. Exactly 1 or 0 where they agree.
 template <class F>
-LUSTRO_INLINE F visibility_in(const DepthMap& map, const Vec3<F>& position, const Vec3<F>& normal) {
+LUSTRO_INLINE F share_that_is_lit(const DepthMap& map, const DepthSquare<F>& square) {
   using I = IntOf<F>;
-  const DepthPlane<F> plane = depth_plane(map, position, normal);
   const std::int32_t last = 1 + 2 * map.softness;  // the texels on a side are one more
-  const F left = lowest_texel(map, plane.x);
-  const F top = lowest_texel(map, plane.y);
-  const I column = truncate(left);
-  const I row = truncate(top);
-  const F share_x = left - to_float(column);
-  const F share_y = top - to_float(row);
-  const F corner = (plane.key + plane.slope_x * ((to_float(column) + F(0.5F)) - plane.x)) +
-                   plane.slope_y * ((to_float(row) + F(0.5F)) - plane.y);  // the plane's key at the centre of the first texel
-  const auto is_lit = [&](std::int32_t x, std::int32_t y) {
-    const F key = (corner + plane.slope_x * F(static_cast<float>(x))) + plane.slope_y * F(static_cast<float>(y));
-    const F nearest = gather(map.keys, plane.first + (row + I(y)) * I(map.size) + (column + I(x)));
+  const auto lit = [&](const F& nearest, std::int32_t x, std::int32_t y) {
+    const F key = (square.key + square.slope_x * F(static_cast<float>(x))) + square.slope_y * F(static_cast<float>(y));
     return select(nearest <= lane_max(key, F(0)), F(1), F(0));
   };
-  const auto row_sum = [&](std::int32_t y) {
-    const F first = is_lit(0, y);
-    F sum = first;
-    for (std::int32_t x = 1; x < last; ++x) {
-      sum = sum + is_lit(x, y);
+  // Two rows, two texels of each at a time: their number is even. All but the last products are whole numbers.
+  F sum(0), uppermost(0), lowest(0);
+  for (std::int32_t y = 0; y <= last; y += 2) {
+    const I upper = square.first + I(y) * I(map.size);
+    F upper_sum(0), upper_first(0), upper_last(0), lower_sum(0), lower_first(0), lower_last(0);
+    for (std::int32_t x = 0; x <= last; x += 2) {
+      const TwoPairs<F> nearest = gather_pairs(map.keys, upper + I(x), upper + I(map.size + x));
+      const F upper_left = lit(nearest.first_left, x, y);
+      const F lower_left = lit(nearest.second_left, x, y + 1);
+      upper_last = lit(nearest.first_right, x + 1, y);
+      lower_last = lit(nearest.second_right, x + 1, y + 1);
+      if (x == 0) {
+        upper_first = upper_left;
+        lower_first = lower_left;
+      }
+      upper_sum = upper_sum + upper_left;
+      lower_sum = lower_sum + lower_left;
+      if (x + 1 < last) {
+        upper_sum = upper_sum + upper_last;
+        lower_sum = lower_sum + lower_last;
+      }
     }
-    return sum + (is_lit(last, y) - first) * share_x;
-  };
-  const F first = row_sum(0);
-  F sum = first;
-  for (std::int32_t y = 1; y < last; ++y) {
-    sum = sum + row_sum(y);
+    const F upper_row = upper_sum + (upper_last - upper_first) * square.share_x;
+    const F lower_row = lower_sum + (lower_last - lower_first) * square.share_x;
+    if (y == 0) {
+      uppermost = upper_row;
+      sum = upper_row;
+    } else {
+      sum = sum + upper_row;
+    }
+    if (y + 1 < last) {
+      sum = sum + lower_row;
+    }
+    lowest = lower_row;
   }
-  return (sum + (row_sum(last) - first) * share_y) / F(static_cast<float>(last * last));
+  sum = sum + (lowest - uppermost) * square.share_y;
+  return last == 1 ? sum : sum / F(static_cast<float>(last * last));
+}
+
+template <class F>
+LUSTRO_INLINE F visibility_in(const DepthMap& map, const Vec3<F>& position, const Vec3<F>& normal) {
+  return share_that_is_lit(map, square_around(map, position, normal));
 }
 
 }  // namespace lustro

@@ -208,6 +208,20 @@ HWY_INLINE void load_pairs(First&& first, Second&& second, hn::Vec<IntTag>* word
 #endif
 }
 
+/// math/lane.hpp: gather_pairs()
+HWY_INLINE TwoPairs<Float> gather_pairs(const float* p, Int first, Int second) {
+  alignas(64) std::array<std::int32_t, kLanes> at_first, at_second;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  store(at_first.data(), first);
+  store(at_second.data(), second);
+  const auto at = [p](std::int32_t place) { return reinterpret_cast<const std::int32_t*>(p + static_cast<std::size_t>(place)); };
+  hn::Vec<IntTag> words[4];
+  load_pairs([&](std::size_t i) { return at(at_first[i]); }, [&](std::size_t i) { return at(at_second[i]); }, words);
+  return {from_bits(words[0]), from_bits(words[1]), from_bits(words[2]), from_bits(words[3])};
+}
+
+/// Lane i is p[index of lane i], one of the first kLanes.
+HWY_INLINE Float choose_lanes(const float* p, Int index) { return hn::TableLookupLanes(hn::LoadU(kFloats, p), hn::IndicesFromVec(kFloats, index.v)); }
+
 /// The opposite: the four words of lane i are stored at out + 4 i.
 HWY_INLINE void store_quads(Int a, Int b, Int c, Int d, std::int32_t* out) {
 #if HWY_TARGET == HWY_SCALAR

@@ -1,0 +1,187 @@
+// What of each light, and of all that surrounds it, arrives at fragments: at a batch of them, or at a strip. Part of a row (row.cpp).
+#pragma once
+
+#include <cstring>
+
+#include "raster/row_strip.hpp"
+
+// What a kernel fills is not cleared first.
+// NOLINTBEGIN(cppcoreguidelines-pro-type-member-init)
+namespace lustro::HWY_NAMESPACE {
+
+/// a, stored in the place after the last light.
+inline HWY_NOINLINE void find_openness(const PreparedScene& scene, TileScratch& s, std::size_t at, const Vec3<Float>& position,
+                                       const Vec3<Float>& normal, const Vec3<Float>& face_normal) {
+  store(&s.visibilities[scene.lights.size() * kStrip + at], openness_at(scene.occlusion.shading, position, normal, face_normal));
+}
+
+/// What of the lights and of all that surrounds it arrives at a batch of fragments, at the first place of TileScratch::visibilities;
+/// reference/visibilities.cpp.
+inline HWY_NOINLINE void find_visibilities(const PreparedScene& scene, TileScratch& s, const Vec3<Float>& position, const Vec3<Float>& normal,
+                                           const Vec3<Float>& face_normal) {
+  for (std::size_t l = 0; l < scene.shadows.maps.size(); ++l) {
+    const DepthMap& map = scene.shadows.maps[l];
+    if (map.shape != DepthShape::none) {
+      store(&s.visibilities[l * kStrip], visibility_in(map, position, face_normal));
+    }
+  }
+  if (!scene.occlusion.empty()) {
+    find_openness(scene, s, 0, position, normal, face_normal);
+  }
+}
+
+/// The same of one batch, at the first place.
+HWY_INLINE const float* find_visibilities(const PreparedScene& scene, TileScratch& s, const Batch& batch) {
+  if (HWY_UNLIKELY(scene.looks_beyond())) {
+    const Vec3<Float> face_normal = batch.faces.face_normal();
+    find_visibilities(scene, s, batch.position, scene.shading.interpolation == Interpolation::phong ? batch.normal : face_normal, face_normal);
+  }
+  return s.visibilities.data();
+}
+
+/// Lanes whose surface faces the light, as the equation judges it: N.L > 0.
+HWY_INLINE Mask is_before(const ShadingLight& light, const Vec3<Float>& position, const Vec3<Float>& normal) {
+  return dot(normal, incident_light(light, position).to_light) > Float(0);
+}
+
+/// The normals of the faces that a strip's fragments lie in. Neighbours mostly lie in the same one, and it is found once for a row of
+/// them: a normal asks for three vertices.
+class FaceNormals {
+ public:
+  HWY_INLINE explicit FaceNormals(const Run& run) : run_(run) {}
+
+  /// The batch from i on will get() them.
+  HWY_INLINE void ask(std::size_t i) {
+    const std::uint32_t* record = &run_.fragments.record[run_.begin + i];
+    const std::size_t last = (run_.count - i < kLanes ? run_.count - i : kLanes) - 1;
+    const Mask ends = first_lanes(last) & !(load(record) == load(record + 1));  // of rows of one face, but for the last one's
+    store_chosen(ends, &records_[count_], load(record));
+    std::int32_t rank = 0;
+    std::array<std::int32_t, kLanes> ranks;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      ranks[lane] = rank;
+      rank += static_cast<std::int32_t>(mask_bits(ends) >> lane & 1U);
+    }
+    std::memcpy(&rank_[i], ranks.data(), sizeof ranks);
+    begin_[i / kLanes] = count_;
+    count_ += static_cast<std::size_t>(rank);
+    records_[count_++] = record[last];
+  }
+
+  HWY_INLINE void find() {
+    const PreparedScene& scene = *run_.frame.scene;
+    for (std::size_t lane = 0; lane < kLanes && count_ > 0; ++lane) {
+      records_[count_ + lane] = records_[count_ - 1];
+    }
+    for (std::size_t i = 0; i < count_; i += kLanes) {
+      const auto words_from = [&](std::size_t word, hn::Vec<IntTag>* words) {
+        load_quads([&](std::size_t lane) { return reinterpret_cast<const std::int32_t*>(&run_.s.records[records_[i + lane]]) + word; }, words);
+      };
+      hn::Vec<IntTag> vertices[4], last[4];
+      words_from(word_vertex, vertices);
+      words_from(word_flags - 3, last);
+      const Mask is_back = (Int(last[3]) & Int(Record::kBack)) > Int(0);
+      const Faces faces{scene,
+                        run_.instance,
+                        run_.material,
+                        {Int(vertices[0]), Int(vertices[1]), Int(vertices[2])},
+                        nullptr,
+                        scene.shading.two_sided ? select(is_back, Float(-1), Float(1)) : Float(1),
+                        {}};
+      const Vec3<Float> normal = faces.face_normal();
+      store(&normals_[0][i], normal.x);
+      store(&normals_[1][i], normal.y);
+      store(&normals_[2][i], normal.z);
+    }
+  }
+
+  HWY_INLINE void forget() { count_ = 0; }
+
+  [[nodiscard]] HWY_INLINE Vec3<Float> get(std::size_t i) const {
+    const std::size_t begin = begin_[i / kLanes];
+    const Int rank = load(&rank_[i]);
+    return {choose_lanes(&normals_[0][begin], rank), choose_lanes(&normals_[1][begin], rank), choose_lanes(&normals_[2][begin], rank)};
+  }
+
+ private:
+  const Run& run_;
+  std::size_t count_ = 0;
+  alignas(64) std::array<std::uint32_t, kStrip + 2 * kLanes> records_;
+  std::array<std::size_t, kStrip / kLanes> begin_;     // of a batch's faces
+  alignas(64) std::array<std::int32_t, kStrip> rank_;  // of a fragment's face among its batch's
+  alignas(64) std::array<std::array<float, kStrip + 2 * kLanes>, 3> normals_;
+};
+
+/// What a strip's fragments read of a map.
+struct Squares {
+  alignas(64) std::array<std::int32_t, kStrip> first;
+  alignas(64) std::array<float, kStrip> share_x, share_y, key, slope_x, slope_y;
+
+  HWY_INLINE void put(std::size_t i, const DepthSquare<Float>& square) {
+    store(&first[i], square.first);
+    store(&share_x[i], square.share_x);
+    store(&share_y[i], square.share_y);
+    store(&key[i], square.key);
+    store(&slope_x[i], square.slope_x);
+    store(&slope_y[i], square.slope_y);
+  }
+  [[nodiscard]] HWY_INLINE DepthSquare<Float> get(std::size_t i) const {
+    return {load(&first[i]), load(&share_x[i]), load(&share_y[i]), load(&key[i]), load(&slope_x[i]), load(&slope_y[i])};
+  }
+  /// Asks for the texels: they lie far apart, and most are not in the cache.
+  HWY_INLINE void prefetch(const DepthMap& map, std::size_t i) const {
+    constexpr std::size_t kEvery = kLanes > 1 ? 2 : 1;  // neighbours mostly share a line of the cache
+    for (std::size_t lane = 0; lane < kLanes; lane += kEvery) {
+      const float* keys = map.keys + static_cast<std::size_t>(first[i + lane]);
+      __builtin_prefetch(keys);
+      __builtin_prefetch(keys + map.size);
+    }
+  }
+};
+
+/// The same of a strip. Where a light is behind the surface nothing asks for it. Short loops: the processor works at several vectors at once.
+inline HWY_NOINLINE void find_visibilities(const Run& run, const Strip& strip) {
+  const PreparedScene& scene = *run.frame.scene;
+  const std::size_t batches = (run.count + kLanes - 1) / kLanes;
+  FaceNormals normals(run);
+  Squares squares;
+  std::array<std::size_t, kStrip / kLanes> asked;  // the first fragments of batches that face the light
+  if (!scene.occlusion.empty()) {
+    for (std::size_t i = 0; i < run.count; i += kLanes) {
+      normals.ask(i);
+    }
+    normals.find();
+    for (std::size_t i = 0; i < run.count; i += kLanes) {
+      find_openness(scene, run.s, i, Strip::get(strip.position, i), Strip::get(strip.normal, i), normals.get(i));
+    }
+    normals.forget();
+  }
+  for (std::size_t l = 0; l < scene.shadows.maps.size(); ++l) {
+    const DepthMap& map = scene.shadows.maps[l];
+    if (map.shape == DepthShape::none) {
+      continue;
+    }
+    float* visibilities = &run.s.visibilities[l * kStrip];
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < batches * kLanes; i += kLanes) {
+      if (any_of(is_before(scene.lights[l], Strip::get(strip.position, i), Strip::get(strip.normal, i)))) {
+        normals.ask(i);
+        asked[count++] = i;
+      } else {
+        store(visibilities + i, Float(0));
+      }
+    }
+    normals.find();
+    for (std::size_t b = 0; b < count; ++b) {
+      squares.put(asked[b], square_around(map, Strip::get(strip.position, asked[b]), normals.get(asked[b])));
+      squares.prefetch(map, asked[b]);
+    }
+    for (std::size_t b = 0; b < count; ++b) {
+      store(visibilities + asked[b], share_that_is_lit(map, squares.get(asked[b])));
+    }
+    normals.forget();
+  }
+}
+
+}  // namespace lustro::HWY_NAMESPACE
+// NOLINTEND(cppcoreguidelines-pro-type-member-init)
