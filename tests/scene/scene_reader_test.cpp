@@ -43,8 +43,9 @@ TEST(SceneReader, RefusesUnknownKeysAndSuggestsTheNearest) {
   EXPECT_EQ(error_with(R"("fog": {"kind": "exp"})"), "fog.kind: unknown key (known: mode, density, start, end, color)");
   EXPECT_EQ(error_in_object(R"("mesh": "a", "transform": [])"), "objects[1].transform: unknown key (known: mesh, name, material, matrix)");
   EXPECT_EQ(error_with(R"("materials": {"old gold": {"difuse": 1}})"), "materials[\"old gold\"].difuse: unknown key, did you mean \"diffuse\"?");
-  EXPECT_EQ(error_with(R"("": 1)"),
-            "[\"\"]: unknown key (known: image, camera, shading, ambient, lights, fog, environment, shadow, occlusion, ground, materials, objects)");
+  EXPECT_EQ(
+      error_with(R"("": 1)"),
+      "[\"\"]: unknown key (known: image, camera, shading, ambient, lights, fog, environment, shadow, occlusion, ground, materials, objects)");
   EXPECT_EQ(error_with(R"("image": {"$schema": ""})").substr(0, 26), "image.$schema: unknown key");
 }
 
