@@ -29,7 +29,7 @@ struct ShadowSettings {
 /// The key `occlusion`: light from all around (the ambient term, the environment's diffuse light) does not arrive from where something stands
 /// near by. Surfaces are sorted along the lines of many directions; of each point's hemisphere those count, by their cosine, that are free.
 struct OcclusionSettings {
-  int directions = 64;             ///< that are looked into from each point, 4..1024
+  int directions = 128;            ///< that are looked into from each point, 4..1024
   int size = 256;                  ///< lines of a direction that lie beside each other, on a side of the scene, 16..1024
   std::optional<double> radius{};  ///< world units: what is farther away hides nothing, from half of it on ever less; nothing: a quarter of the
                                    ///< diagonal of the scene's box

@@ -63,7 +63,7 @@ std::int64_t bias_of(const Corner& a, const Corner& b) {
 // The map's lines, row by row.
 struct Grid {
   std::vector<Layers> lines;
-  std::int32_t size;
+  std::int32_t size = 0;
 
   void draw(Corner a, Corner b, Corner c) {
     const auto first = [](std::int32_t least) { return (least + kSubline / 2 - 1) >> 8; };  // the first centre at or after it
