@@ -7,6 +7,7 @@
 
 #include "math/power.hpp"
 #include "report.hpp"
+#include "scene/ground.hpp"
 #include "scene/words.hpp"
 
 namespace lustro::app {
@@ -181,6 +182,11 @@ std::string fragment_text(const PreparedScene& scene, const Explanation& explana
   }
   text += row(2, "material", named(fragment.material, fragment.material_name.empty() ? "(the default)" : fragment.material_name),
               fmt::format("lighting {}", word_of(fragment.lighting)));
+  if (catches_shadows(k)) {
+    return text +
+           "\n  It is black, and hides 1 - lit / unhindered: the light of a white Lambert surface here, with shadows and occlusion and "
+           "without.\n\n";
+  }
   text += row(2, "  k_a", k.ambient.rgb) + row(2, "  k_d", k.diffuse.rgb) + row(2, "  k_s", k.specular.rgb) + row(2, "  k_e", k.emission.rgb);
   text += row(2, "  n", number(k.shininess));
   for (const MapExplanation& map : fragment.maps) {

@@ -82,6 +82,16 @@ void turn_objects(Scene& scene, std::span<const Mat4> matrices, const SweptBody&
   }
 }
 
+void settle_for_turn(Scene& scene, const SweptBody& body) {
+  if (scene.occlusion && !scene.occlusion->radius && body.radius > 0) {
+    const Bounds bounds = extent_of(body).bounds;
+    scene.occlusion->radius = length(bounds.upper - bounds.lower) / 4;
+  }
+  if (scene.ground && !scene.ground->height) {
+    scene.ground->height = body.center.y - body.half_height;
+  }
+}
+
 Result<Camera> definite_camera(const Camera& camera, const ImageSettings& image, const View& view, const SweptBody& body) {
   Camera definite = camera;
   definite.eye = view.eye;

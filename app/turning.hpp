@@ -29,6 +29,9 @@ void turn_objects(Scene& scene, std::span<const Mat4> matrices, const SweptBody&
 /// The matrices of the scene as it stands.
 [[nodiscard]] std::vector<Mat4> matrices_of(const Scene& scene);
 
+/// What every frame would choose by the box of its own: the radius of occlusion, the ground's height. One for the whole turn.
+void settle_for_turn(Scene& scene, const SweptBody& body);
+
 /// The camera that `view` is, with nothing left open, and with near and far planes (where the camera does not state them) that hold the body.
 /// errors  as make_view()
 [[nodiscard]] Result<Camera> definite_camera(const Camera& camera, const ImageSettings& image, const View& view, const SweptBody& body);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <optional>
 
 #include "app/commands.hpp"
@@ -37,6 +38,20 @@ Result<void> check_flags(const Session& session, const RenderFlags& flags) {
                 fmt::format("the picture and the text of {} cannot both go to standard output", session.json ? "--json" : "--print-scene"));
   }
   return write_options(flags.png, Transfer::srgb, session.threads).map([](const WriteOptions&) {});
+}
+
+/// The file of --resume is a file of its own.
+Result<void> check_resume(const std::filesystem::path& resume, const std::vector<std::string>& outputs) {
+  if (resume == kStdout) {
+    return fail(ErrorKind::usage, "--resume", "found -, expected a file");
+  }
+  const auto place = [](const std::filesystem::path& file) {
+    std::error_code ignored;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file, ignored), ignored);
+  };
+  const auto same = [&](const std::string& output) { return !resume.empty() && place(output) == place(resume); };
+  const auto found = std::ranges::find_if(outputs, same);
+  return found == outputs.end() ? Result<void>() : fail(ErrorKind::usage, "--resume", fmt::format("{} is where the picture is written", *found));
 }
 
 /// `hash` stands there only where one was asked for.
@@ -114,6 +129,9 @@ Result<ExitCode> run_render(const Session& session, const RenderFlags& flags) {
     return tl::unexpected(checked.error());
   }
   if (const Result<void> checked = is_named ? Result<void>() : check_default_output(outputs.front()); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  if (const Result<void> checked = check_resume(flags.draw_flags.path.resume, outputs); !checked) {
     return tl::unexpected(checked.error());
   }
 

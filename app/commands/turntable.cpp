@@ -69,7 +69,12 @@ Result<Timing> timing_of(const TurntableFlags& flags) {
 /// The camera from which the whole turn is seen; where the eye is stated, that one.
 Result<Camera> camera_of_turn(const Scene& scene, const SweptBody& body) {
   const Result<View> view = make_view(scene.camera, scene.image, extent_of(body));
-  return view ? definite_camera(scene.camera, scene.image, *view, body) : tl::unexpected(view.error());
+  Result<Camera> camera = view ? definite_camera(scene.camera, scene.image, *view, body) : tl::unexpected(view.error());
+  if (camera && scene.ground) {  // which reaches farther than the body
+    camera->near = scene.camera.near;
+    camera->far = scene.camera.far;
+  }
+  return camera;
 }
 
 /// The scene at one of the angles. An orbiting camera goes the other way round, so that the object is seen from the same sides.
@@ -105,6 +110,7 @@ Result<Notes> draw_turn(const Session& session, const TurntableFlags& flags, Sce
     return tl::unexpected(placed(camera.error(), flags.scene, flags.scene_flags));
   }
   scene.camera = *camera;
+  settle_for_turn(scene, body);
   const std::vector<Mat4> matrices = matrices_of(scene);
   Renderer renderer;
   Rendering picture;

@@ -39,16 +39,22 @@ Object make_ground(const GroundSettings& settings, const Camera& camera, const B
   ground.material->opacity = settings.strength;
   ground.material->cull = Culling::back;
   ground.matrix.m = {reach, 0, 0, middle.x, 0, 1, 0, height, 0, 0, reach, middle.z, 0, 0, 0, 1};
-  if (!camera.far) {
-    double farthest = view.far;
-    for (const double x : {-reach, reach}) {
-      for (const double z : {-reach, reach}) {
-        farthest = std::max(farthest, dot(Vec3d{middle.x + x, height, middle.z + z} - view.eye, view.forward));
-      }
+  double nearest = view.near;
+  double farthest = view.far;
+  for (const double x : {-reach, reach}) {
+    for (const double z : {-reach, reach}) {
+      const double depth = dot(Vec3d{middle.x + x, height, middle.z + z} - view.eye, view.forward);
+      nearest = std::min(nearest, depth);
+      farthest = std::max(farthest, depth);
     }
-    view.far = farthest;
-    complete_view(view);
   }
+  if (!camera.far) {
+    view.far = farthest;
+  }
+  if (!camera.near) {
+    view.near = view.projection == Projection::perspective ? std::max(nearest, 1e-5 * view.far) : nearest;
+  }
+  complete_view(view);
   return ground;
 }
 

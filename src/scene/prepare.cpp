@@ -422,7 +422,7 @@ Result<void> prepare(const Scene& scene, MeshCache& cache, int threads, Prepared
   }
   prepared.view = *view;
   std::optional<Object> ground;
-  if (scene.ground && !scene.objects.empty()) {
+  if (scene.ground && !extent.bounds.is_empty()) {
     ground = make_ground(*scene.ground, scene.camera, extent.bounds, prepared.view);  // scene/ground.cpp
     if (auto checked = check_object(scene, *ground, cache, threads, prepared.instances); !checked) {
       return checked;

@@ -56,6 +56,9 @@ TEST_F(PathCommand, GoesOnFromWhatAFileKept) {
   EXPECT_FALSE(std::filesystem::exists(work() / "other.exr"));
   write_text(work() / "text", "a text");
   EXPECT_THAT(render({"--resume", "text", "-o", "other.exr"}).err, HasSubstr("text: this is no state of a picture by paths"));
+  EXPECT_THAT(render({"--spp", "2", "--resume", "same.png", "-o", "./same.png"}).err,
+              HasSubstr("--resume: ./same.png is where the picture is written"));
+  EXPECT_THAT(render({"--spp", "2", "--resume", "-", "-o", "out.png"}).err, HasSubstr("--resume: found -, expected a file"));
   EXPECT_THAT(lustro({"render", "scene.json", "--resume", "state", "-o", "out.png"}).err, HasSubstr("--resume: belongs to --engine path"));
 }
 

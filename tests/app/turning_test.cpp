@@ -60,6 +60,22 @@ TEST(Turning, AStatedTargetIsTheAxis) {
   EXPECT_NEAR(body.radius, std::sqrt(20.0), 1e-12);
 }
 
+// What a frame would choose by its own box is chosen once: else a picture flickers as it turns.
+TEST(Turning, WhatDependsOnTheBoxIsSettledForTheWholeTurn) {
+  Scene scene;
+  scene.occlusion.emplace();
+  scene.ground.emplace();
+  const SweptBody body{.center = {1, 2, 3}, .radius = 3, .half_height = 0.5};
+  settle_for_turn(scene, body);
+  EXPECT_DOUBLE_EQ(scene.occlusion->radius.value(), std::sqrt(6.0 * 6 + 1 + 6 * 6) / 4);
+  EXPECT_DOUBLE_EQ(scene.ground->height.value(), 1.5);
+  scene.occlusion->radius = 7;
+  scene.ground->height = -1;
+  settle_for_turn(scene, body);
+  EXPECT_EQ(scene.occlusion->radius, 7);
+  EXPECT_EQ(scene.ground->height, -1);
+}
+
 TEST(Turning, TheReachOfTheCylinderIsThatOfItsRims) {
   const SweptBody body{.center = {1, 2, 3}, .radius = 5, .half_height = 7};
   const std::array<Vec3d, 4> directions{Vec3d{1, 0, 0}, {0, -1, 0}, {3, 0, 4}, {3, 1, 4}};

@@ -100,6 +100,39 @@ TEST(Ground, LeavesEverythingElseAlone) {
   EXPECT_EQ(pictured(scene).color.pixels, pictured(without).color.pixels);
 }
 
+// A shadow that reaches towards the eye, before everything that the scene's box holds, is whole.
+TEST(Ground, IsNotCutByPlanesThatNobodyStates) {
+  for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+    Scene scene = plate();
+    scene.lights = {Light{.direction = {0.1, -0.2, 1}}};
+    scene.camera.projection = projection;
+    scene.camera.near.reset();
+    const Rendering chosen = pictured(scene);
+    scene.camera.near = 0.01;
+    scene.camera.far = 200;
+    const Rendering stated = pictured(scene);
+    int dark = 0;
+    for (int y = 0; y < scene.image.height; ++y) {
+      for (int x = 0; x < scene.image.width; ++x) {
+        EXPECT_NEAR(chosen.color.at(x, y)[0], stated.color.at(x, y)[0], 2e-3F) << x << ", " << y;
+        dark += stated.color.at(x, y)[0] < 0.4F ? 1 : 0;
+      }
+    }
+    EXPECT_GT(dark, 100);
+  }
+}
+
+TEST(Ground, IsNotThereWhereNothingIs) {
+  Scene scene = plate();
+  scene.objects.resize(1);
+  auto empty = std::make_shared<Mesh>();
+  empty->positions = {{0, 0, 0}};
+  scene.objects[0].mesh = empty;
+  const auto made = render(scene);
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().kind, ErrorKind::empty) << made.error().text();
+}
+
 // Ambient light alone has no shadow, but occlusion.
 TEST(Ground, ShowsOcclusionToo) {
   Scene scene = plate();
