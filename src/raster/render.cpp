@@ -134,7 +134,8 @@ void note_what_is_approximated(const PreparedScene& scene, Notes& notes) {
 
 /// What paths do without.
 void note_what_paths_leave_out(const PreparedScene& scene, Notes& notes) {
-  if (std::ranges::any_of(scene.materials, [](const ShadingMaterial& material) { return material.opacity.catches > 0; })) {
+  if (std::any_of(scene.materials.begin(), scene.materials.end(),
+                  [](const ShadingMaterial& material) { return material.opacity.catches > 0; })) {
     notes.push_back({"ground", "a surface that shows nothing but shadows (`ground`, illumination 10) is not drawn by --engine path"});
   }
 }

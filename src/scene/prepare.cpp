@@ -371,7 +371,8 @@ Result<void> check_object(const Scene& scene, const Object& object, MeshCache& c
 
 // Surfaces that show shadows alone are there for nothing where there are none.
 void note_idle_catchers(PreparedScene& prepared) {
-  const auto idle = std::ranges::find_if(prepared.materials, [](const ShadingMaterial& material) { return material.opacity.catches > 0; });
+  const auto idle = std::find_if(prepared.materials.begin(), prepared.materials.end(),
+                                 [](const ShadingMaterial& material) { return material.opacity.catches > 0; });
   if (idle != prepared.materials.end() && !prepared.looks_beyond()) {
     const std::string& name = idle->stated.name;
     prepared.notes.push_back(
