@@ -59,6 +59,8 @@ enum class Engine : std::uint8_t {
   path,       ///< follows light from surface to surface: what the local model approximates (docs/using/ground-truth.md)
 };
 
+struct Rendering;
+
 /// How long Engine::path looks, and how far. It stops at the first of `samples`, `seconds` and `target_error` that is reached.
 struct PathOptions {
   int samples = 64;         ///< paths a pixel, at most; 1..1048576
@@ -70,6 +72,10 @@ struct PathOptions {
   /// interrupted, bit by bit; it is written (as a whole or not at all) when the picture is done, and every 10 seconds before. It is refused
   /// where the scene, its size, the bounces or the seed are others.
   std::filesystem::path resume{};
+  /// Called between passes with the picture so far, as it would be if that were all: after a first quick look, then when `preview_seconds` have
+  /// gone by (longer where the call itself takes long), never with the last one, which render() returns. An error ends the drawing with it.
+  std::function<Result<void>(const Rendering&)> preview{};
+  double preview_seconds = 5;
 };
 
 /// The instruction set whose row of kernels draws. All rows give the same bits.
@@ -85,6 +91,19 @@ enum class Target : std::uint8_t { automatic, scalar, sse4, avx2, avx512, neon, 
 /// errors  usage for an unknown name, with the known ones; unsupported for a row that this machine cannot run, with those that it can
 [[nodiscard]] Result<Target> parse_target(std::string_view name);
 
+/// Which rows of a picture are drawn where several programs draw it together (the workers of a page, say): bands of pixels, as Engine::raster
+/// cuts them, go round in turn. A pixel's bits do not depend on it. Rendering::bands says which they are.
+struct Share {
+  int index = 0;  ///< 0..count - 1
+  int count = 1;  ///< 1: everything
+};
+
+/// Rows of pixels, `end` excluded.
+struct Band {
+  int begin = 0, end = 0;
+  friend bool operator==(const Band&, const Band&) = default;
+};
+
 struct RenderOptions {
   int threads = 0;  ///< 0: one a core
   std::vector<Aov> aovs{};
@@ -94,6 +113,7 @@ struct RenderOptions {
   bool store_color = true;            ///< fill Rendering::color
   bool store_bytes = false;           ///< fill Rendering::bytes
   PathOptions path{};                 ///< of Engine::path
+  Share share{};                      ///< of Engine::raster; the others draw everything
 };
 
 struct RenderStats {
@@ -123,6 +143,9 @@ struct Rendering {
   Image color;                ///< H x W x 4, linear light (or as it stands with transfer `none`), alpha premultiplied
   ByteImage bytes;            ///< H x W x 4: what to_bytes(color) gives with the scene's transfer and tone
   std::vector<Layer> layers;  ///< one an AOV, in the order asked for (`light:*` unfolds)
+  std::vector<Band> bands;    ///< the rows that were drawn, from top to bottom; without RenderOptions::share one band, all of them
+  Camera camera;              ///< the scene's, with a choice made for all that it leaves open
+  std::vector<Light> lights;  ///< the scene's, or the default rig in its place
   RenderStats stats;
   RenderTimes times;
   Notes notes;
@@ -130,8 +153,8 @@ struct Rendering {
 
 /// Draws a scene. Equal scenes give equal bits, whatever the engine (but Engine::path), the target, the number of threads and the machine;
 /// Engine::path gives equal bits for any number of threads on one machine.
-/// errors  usage where the scene does not fit together (an object without a mesh, eye and target equal, ...); limit; empty where there is
-///         nothing to draw at all; unsupported for a target that this machine cannot run
+/// errors  usage where the scene does not fit together (an object without a mesh, eye and target equal, ...) or the share is none; limit; empty
+///         where there is nothing to draw at all; unsupported for a target that this machine cannot run
 [[nodiscard]] Result<Rendering> render(const Scene& scene, const RenderOptions& options = {});
 
 /// Draws many pictures of the same meshes: what a mesh alone decides (its clusters, its check, missing normals) is kept from one picture to the
@@ -164,19 +187,27 @@ struct LightExplanation {
   float n_dot_l = 0, r_dot_v = 0, n_dot_h = 0;
   float attenuation = 1, spot = 1;  ///< f_i, s_i
   float visibility = 1;             ///< v_i: the share of the light that is not in shadow here
+  /// l_a, l_d, l_s, linear: an area's stand-in has its size in them, and without the term `specular` l_s is 0
+  Vec3f light_ambient, light_diffuse, light_specular;
   Vec3f ambient, diffuse, specular;
 };
 
 /// One evaluation of the lighting equation: a pixel's for `phong`, a face's for `flat`, a vertex's for `gouraud`.
 struct ShadingExplanation {
-  float weight = 1;                            ///< of this evaluation in the fragment: 1, or the vertex's barycentric coordinate
-  Vec3f position;                              ///< world
-  Vec3f normal;                                ///< N, world, unit, already turned round where two_sided asks for it
-  Vec3f to_eye;                                ///< V, unit
+  float weight = 1;  ///< of this evaluation in the fragment: 1, or the vertex's barycentric coordinate
+  Vec3f position;    ///< world
+  Vec3f normal;      ///< N, world, unit, already turned round where two_sided asks for it
+  Vec3f to_eye;      ///< V, unit
+  /// k_a, k_d, k_s, k_e and n as they are in this evaluation: under vertex colours and maps, but for maps that come after it
+  /// (FragmentExplanation::maps_ambient); 0 where a term is switched off
+  Vec3f k_ambient, k_diffuse, k_specular, k_emission;
+  float shininess = 0;
   Vec3f ambient, diffuse, specular, emission;  ///< sums over the lights (clamped at the vertex for `gouraud`)
   Vec3f scene_ambient;                         ///< k_a I_a, part of ambient
   float openness = 1;                          ///< a: what of the light from all around is not occluded
-  Vec3f environment;                           ///< k_d E, part of diffuse: the scene's environment
+  Vec3f environment;                           ///< a k_d E, part of diffuse: the scene's environment
+  Vec3f from_environment;                      ///< E
+  Vec3f clamp{1, 1, 1};                        ///< what `gouraud` multiplies a vertex's terms by, so that their sum is at most 1
   std::vector<LightExplanation> lights;
 };
 
@@ -210,6 +241,8 @@ struct FragmentExplanation {
   Material coefficients;  ///< linear, as the maps leave them
   std::vector<MapExplanation> maps;
   std::vector<ShadingExplanation> shadings;
+  /// what maps multiply the light of a face or of vertices by, term by term; 1 where they change coefficients instead (`phong`, decals)
+  Vec3f maps_ambient{1, 1, 1}, maps_diffuse{1, 1, 1}, maps_specular{1, 1, 1}, maps_emission{1, 1, 1};
   Vec3f reflection;                                 ///< k_s times the reflection map, before fog: part of specular
   Vec3f ambient, diffuse, specular, emission, fog;  ///< of the fragment
   float fog_factor = 1;
@@ -221,6 +254,8 @@ struct Explanation {
   int x = 0, y = 0;
   Interpolation interpolation = Interpolation::phong;
   int samples = 1;
+  Vec3f ambient_light;      ///< I_a, linear
+  bool normalized = false;  ///< the lobes are, see Shading
   std::vector<FragmentExplanation> fragments;
   float background_weight = 0;  ///< the background's share of the pixel
   Vec3f ambient, diffuse, specular, emission, fog, background;

@@ -176,6 +176,10 @@ struct LoadOptions {
   std::optional<double> time = {};  ///< seconds into the animation; nothing: the nodes as they are stated
   std::string animation = {};       ///< which one, its index or name; empty: the first
   GltfShading gltf_shading = GltfShading::classic;
+
+  /// Called with each file before it is opened, by the path under which it was found: for who watches files, or packs them. Several threads may
+  /// call it at the same time, and a file may be named more than once. What assimp opens beside its file is not named.
+  std::function<void(const std::filesystem::path&)> on_file = {};
 };
 
 /// The scene that a JSON text describes, meshes not loaded yet (Object::source names them).

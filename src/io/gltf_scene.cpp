@@ -282,12 +282,16 @@ Result<GltfModel> parse_gltf(std::string_view bytes, const std::string& name, co
 }
 
 Result<GltfModel> load_gltf(const std::filesystem::path& file, const LoadOptions& options) {
+  tell(options.on_file, file);
   Result<FileBytes> content = read_file(file);
   if (!content) {
     return tl::unexpected(content.error());
   }
   GltfOptions gltf;
-  gltf.read = [folder = file.parent_path()](const std::string& path) { return read_file(folder / path); };
+  gltf.read = [folder = file.parent_path(), on_file = options.on_file](const std::string& path) {
+    tell(on_file, folder / path);
+    return read_file(folder / path);
+  };
   Result<GltfModel> model = parse_gltf(content->view(), file.string(), gltf, options);
   if (model) {
     model->file.content = std::move(*content);

@@ -40,7 +40,7 @@ Result<std::shared_ptr<const Image>> read_environment(const std::filesystem::pat
   return std::make_shared<const Image>(rgb_of(*image));
 }
 
-Result<Notes> load_environment(Environment& environment, const std::filesystem::path& folder, Transfer transfer) {
+Result<Notes> load_environment(Environment& environment, const std::filesystem::path& folder, const LoadOptions& options) {
   Notes notes;
   if (environment.file.empty() || environment.picture != nullptr) {
     return notes;
@@ -52,7 +52,8 @@ Result<Notes> load_environment(Environment& environment, const std::filesystem::
   if (!found->note.empty()) {
     notes.push_back({kWhere, "the picture " + found->note});
   }
-  auto picture = read_environment(found->path, transfer);
+  tell(options.on_file, found->path);
+  auto picture = read_environment(found->path, options.transfer);
   if (!picture) {
     return fail(picture.error().kind, kWhere, picture.error().text());
   }

@@ -14,7 +14,8 @@ namespace lustro {
 
 /// Fills Environment::picture where a file is stated and the picture is not there yet. The file is found by find_texture() from `folder`, the
 /// scene file's; what was overlooked to find it is a note.
-/// errors  as above: without its environment a scene would be dark
-[[nodiscard]] Result<Notes> load_environment(Environment& environment, const std::filesystem::path& folder, Transfer transfer);
+/// options  transfer, on_file
+/// errors   as above: without its environment a scene would be dark
+[[nodiscard]] Result<Notes> load_environment(Environment& environment, const std::filesystem::path& folder, const LoadOptions& options);
 
 }  // namespace lustro

@@ -38,7 +38,9 @@ Result<SourceMesh> load_obj(std::string_view bytes, const fs::path& file, const 
   obj.transparency_is_tr = options.transparency_is_tr;
   obj.threads = options.threads;
   obj.read_library = [&](const std::string& name) -> Result<std::string> {
-    const Result<FileBytes> library = read_file(find_beside(folder, name));
+    const fs::path library_file = find_beside(folder, name);
+    tell(options.on_file, library_file);
+    const Result<FileBytes> library = read_file(library_file);
     if (!library) {
       return tl::unexpected(library.error());
     }
@@ -80,6 +82,7 @@ Result<ReadMesh> as_read_mesh(Result<Read> mesh) {
 }
 
 Result<ReadMesh> load(const fs::path& file, const LoadOptions& options, bool for_drawing, TextureCache& textures) {
+  tell(options.on_file, file);
   const Result<ByteSource> source = ByteSource::open(file);
   if (!source) {
     return tl::unexpected(source.error());

@@ -195,6 +195,9 @@ Result<std::shared_ptr<const Mesh>> load_source(const std::string& source, const
     return load_node(*node, folder, scene, options, loaded, notes);
   }
   const fs::path file = folder / fs::path(source);
+  if (!is_primitive(source)) {
+    tell(options.on_file, file);  // each name of a file that has several
+  }
   std::shared_ptr<const Mesh>& mesh = loaded.meshes[identity_of_source(source, file)];
   if (mesh == nullptr) {
     const std::string name = is_primitive(source) ? source : file.string();
@@ -250,7 +253,7 @@ Result<void> load_all(Scene& scene, const fs::path& folder, const LoadOptions& s
     }
   }
   if (scene.environment) {
-    const Result<Notes> found = load_environment(*scene.environment, folder, options.transfer);
+    const Result<Notes> found = load_environment(*scene.environment, folder, options);
     if (!found) {
       return tl::unexpected(found.error());
     }
@@ -369,6 +372,7 @@ Result<LoadedScene> load(const fs::path& file, const LoadOptions& options) {
     return fail(ErrorKind::limit, file.string(),
                 fmt::format("has {} bytes, the largest JSON text that is read has {}", size, JsonLimits{}.bytes));
   }
+  tell(options.on_file, file);
   const Result<FileBytes> content = read_file(file);
   if (!content) {
     return tl::unexpected(content.error());

@@ -103,6 +103,7 @@ Result<void> add_request(Request request, const fs::path& folder, const std::str
   if (!found->note.empty()) {
     books.add(request.where, fmt::format("{}: the texture {}", request.statement, found->note));
   }
+  tell(options.on_file, found->path);
   request.key = {identity_of(found->path), request.map.slot->content, options.transfer, request.map.alpha_of_decal};
   requests.push_back(std::move(request));
   return {};

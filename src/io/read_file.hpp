@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -60,5 +61,15 @@ class ByteSource {
 /// A regular file as a whole.
 /// errors  as ByteSource::open() and read_all()
 [[nodiscard]] Result<FileBytes> read_file(const std::filesystem::path& file);
+
+/// Who is told which files are opened: LoadOptions::on_file.
+using FileWatcher = std::function<void(const std::filesystem::path&)>;
+
+/// Tells who wants to know it that a file is about to be opened.
+inline void tell(const FileWatcher& watcher, const std::filesystem::path& file) {
+  if (watcher) {
+    watcher(file);
+  }
+}
 
 }  // namespace lustro

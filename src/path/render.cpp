@@ -24,6 +24,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
 constexpr int kTile = 16;             // pixels
 constexpr int kLongestPass = 16;      // samples a pixel
 constexpr int kLeastForAnError = 16;  // samples a pixel before the error is believed
@@ -226,8 +230,17 @@ class Keeper {
   double last_took_ = 0;
 };
 
-void store(std::span<const PixelSums> pixels, int samples, std::span<const Aov> aovs, Rendering& result) {
+// The picture of so many samples, as render() returns it.
+void store(std::span<const PixelSums> pixels, int samples, const PreparedScene& scene, std::span<const Aov> aovs, bool wants_bytes,
+           Rendering& result) {
   const double scale = 1.0 / samples;
+  result.stats.samples = samples;
+  result.stats.error = error_of(pixels, samples);
+  result.stats.pixels_covered = 0;
+  result.color.width = scene.view.width;
+  result.color.height = scene.view.height;
+  result.color.channels = 4;
+  result.color.pixels.resize(pixels.size() * 4);
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const PixelSums& sums = pixels[i];
     float* const out = result.color.pixels.data() + 4 * i;
@@ -247,7 +260,36 @@ void store(std::span<const PixelSums> pixels, int samples, std::span<const Aov> 
       }
     }
   }
+  if (wants_bytes) {
+    result.bytes = to_bytes(result.color, scene.transfer, scene.tone);
+  }
 }
+
+// Shows the picture so far, from time to time.
+class Previewer {
+ public:
+  explicit Previewer(const PathOptions& options) : options_(options) {}
+
+  [[nodiscard]] bool is_wanted() const { return static_cast<bool>(options_.preview); }
+  [[nodiscard]] bool is_due() const {
+    return is_wanted() && (!is_first_shown_ || seconds_since(shown_) >= std::max(options_.preview_seconds, kShareOfShowing * last_took_));
+  }
+  Result<void> show(const Rendering& picture) {
+    const auto start = Clock::now();
+    auto shown = options_.preview(picture);
+    shown_ = Clock::now();
+    last_took_ = std::chrono::duration<double>(shown_ - start).count();
+    is_first_shown_ = true;
+    return shown;
+  }
+
+ private:
+  static constexpr double kShareOfShowing = 20;
+  const PathOptions& options_;
+  bool is_first_shown_ = false;
+  Clock::time_point shown_{};
+  double last_took_ = 0;
+};
 
 }  // namespace
 
@@ -269,7 +311,6 @@ Result<void> render_path(const PreparedScene& scene, std::span<const Aov> aovs, 
   Meter meter(options, tiles, begin);
   result.stats = {.triangles = scene.triangle_count};
   const auto drawing = Clock::now();
-  const auto seconds_since = [](Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); };
 
   int done = 0;
   double error = 0;
@@ -293,8 +334,12 @@ Result<void> render_path(const PreparedScene& scene, std::span<const Aov> aovs, 
     return done >= path.samples || (path.seconds > 0 && done > 0 && seconds_since(begin) >= path.seconds) ||
            (path.target_error > 0 && done >= kLeastForAnError && error <= path.target_error);
   };
+  Previewer previewer(path);
   while (!is_done()) {
     int count = std::min(path.samples - done, kLongestPass);
+    if (previewer.is_wanted()) {  // a first look soon; then twice as many each time
+      count = std::min(count, std::max(done - done_before, 1));
+    }
     if (path.seconds > 0) {  // what still fits, after a first look at one sample
       const double each = done > done_before ? seconds_since(drawing) / (done - done_before) : 0;
       const double left = path.seconds - seconds_since(begin);
@@ -309,16 +354,16 @@ Result<void> render_path(const PreparedScene& scene, std::span<const Aov> aovs, 
         return kept;
       }
     }
+    if (previewer.is_due() && !is_done()) {
+      store(pixels, done, scene, aovs, options.store_bytes, result);
+      if (auto shown = previewer.show(result); !shown) {
+        return shown;
+      }
+    }
   }
-  result.stats.samples = done;
-  result.stats.error = error_of(pixels, done);
   result.times.visibility = 0;
   result.times.shading = seconds_since(drawing) * 1000;
-  result.color = Image(view.width, view.height, 4);
-  store(pixels, done, aovs, result);
-  if (options.store_bytes) {
-    result.bytes = to_bytes(result.color, scene.transfer, scene.tone);
-  }
+  store(pixels, done, scene, aovs, options.store_bytes, result);
   return {};
 }
 

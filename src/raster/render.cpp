@@ -94,13 +94,35 @@ void lay_out(Frame& frame, const PreparedScene& scene, std::span<const Aov> aovs
   frame.background = background_pixel(scene);
 }
 
+/// How many rows of tiles are this share's.
+std::size_t tile_rows(const Frame& frame, const Share& share) {
+  return static_cast<std::size_t>(std::max(frame.tiles_y - share.index + share.count - 1, 0)) / static_cast<std::size_t>(share.count);
+}
+
+/// What they are in pixels. Rows that touch are one band.
+void list_bands(const Frame& frame, const Share& share, std::vector<Band>& bands) {
+  bands.clear();
+  for (int row = share.index; row < frame.tiles_y; row += share.count) {
+    const TileArea area = frame.area(static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.tiles_x));
+    if (!bands.empty() && bands.back().end == area.top) {
+      bands.back().end = area.bottom;
+    } else {
+      bands.push_back({area.top, area.bottom});
+    }
+  }
+}
+
 void draw_tiles(Workshop& workshop, const Kernels& kernels, const RenderOptions& options, Rendering& result) {
   const auto begin = Clock::now();
   const Frame& frame = workshop.frame;
-  const std::size_t tiles = static_cast<std::size_t>(frame.tiles_x) * static_cast<std::size_t>(frame.tiles_y);
+  const auto tiles_x = static_cast<std::size_t>(frame.tiles_x);
+  const auto first = static_cast<std::size_t>(options.share.index);
+  const auto step = static_cast<std::size_t>(options.share.count);
+  const std::size_t tiles = tiles_x * tile_rows(frame, options.share);
   Progress progress(options.progress, tiles);
   ScratchPool pool(workshop.scratches, workshop.frame);
-  const auto draw_tile = [&](std::size_t tile) {
+  const auto draw_tile = [&](std::size_t i) {
+    const std::size_t tile = (first + i / tiles_x * step) * tiles_x + i % tiles_x;
     TileScratch* scratch = pool.take();
     const auto start = Clock::now();
     kernels.fill_tile(frame, tile, *scratch);
@@ -154,6 +176,7 @@ void rasterize(Workshop& workshop, Target target, std::span<const Aov> aovs, con
   draw_occlusion(prepared, workshop.prepared.occlusion, options.threads);                                      // scene/occlusion_maps.cpp
   result.times.shadows = milliseconds(Clock::now() - begin);
   lay_out(workshop.frame, prepared, aovs, options, result);
+  list_bands(workshop.frame, options.share, result.bands);
   const auto laid_out = Clock::now();
   sort_into_tiles(workshop.frame, workshop.bins, options.threads);  // raster/bins.cpp
   result.times.cull = milliseconds(Clock::now() - laid_out);
@@ -206,8 +229,27 @@ Result<void> draw_paths(const Scene& scene, std::span<const Aov> aovs, const Ren
   return drawn;
 }
 
+/// What the picture was drawn with where the scene left it open.
+void report_choices(const PreparedScene& scene, const Camera& stated, Rendering& result) {
+  const View& view = scene.view;
+  result.camera = stated;
+  result.camera.eye = view.eye;
+  result.camera.target = view.target;
+  result.camera.up = view.up;
+  result.camera.near = view.near;
+  result.camera.far = view.far;
+  if (view.projection == Projection::orthographic) {
+    result.camera.height = view.height / view.pixels_per_unit;
+  }
+  result.lights = scene.stated_lights;
+  result.bands.assign(1, {0, view.height});
+}
+
 Result<void> draw(const Scene& scene, const RenderOptions& options, Workshop& workshop, Rendering& result) {
   const auto begin = Clock::now();
+  if (options.share.count < 1 || options.share.index < 0 || options.share.index >= options.share.count) {
+    return fail(ErrorKind::usage, "share", fmt::format("{} of {} is none", options.share.index, options.share.count));
+  }
   const auto target = choose_target(options.target);  // raster/target.cpp
   if (!target) {
     return tl::unexpected(target.error());
@@ -221,6 +263,7 @@ Result<void> draw(const Scene& scene, const RenderOptions& options, Workshop& wo
     return tl::unexpected(aovs.error());
   }
   result.notes = prepared.notes;
+  report_choices(prepared, scene.camera, result);
   result.times = {};
   result.times.prepare = milliseconds(Clock::now() - begin);
   result.layers.clear();

@@ -267,7 +267,7 @@ inline HWY_NOINLINE Float shadow_on(const Faces& faces, const Vec3<Float>& posit
   const Vec3<Float> face_normal = faces.face_normal();
   return caught_shadow(scene.surrounding_light(), scene.lights, position, normal, [&](std::size_t i) {
     return i == scene.lights.size() ? openness_at(scene.occlusion.shading, position, normal, face_normal)
-                                    : visibility_in(scene.shadows.maps[i], position, face_normal);
+                                    : visibility_of(scene.lights[i], scene.shadows.maps[i], position, face_normal, normal);
   });
 }
 

@@ -22,7 +22,7 @@ inline HWY_NOINLINE void find_visibilities(const PreparedScene& scene, TileScrat
   for (std::size_t l = 0; l < scene.shadows.maps.size(); ++l) {
     const DepthMap& map = scene.shadows.maps[l];
     if (map.shape != DepthShape::none) {
-      store(&s.visibilities[l * kStrip], visibility_in(map, position, face_normal));
+      store(&s.visibilities[l * kStrip], visibility_of(scene.lights[l], map, position, face_normal, normal));
     }
   }
   if (!scene.occlusion.empty()) {
@@ -37,11 +37,6 @@ HWY_INLINE const float* find_visibilities(const PreparedScene& scene, TileScratc
     find_visibilities(scene, s, batch.position, scene.shading.interpolation == Interpolation::phong ? batch.normal : face_normal, face_normal);
   }
   return s.visibilities.data();
-}
-
-/// Lanes whose surface faces the light, as the equation judges it: N.L > 0.
-HWY_INLINE Mask is_before(const ShadingLight& light, const Vec3<Float>& position, const Vec3<Float>& normal) {
-  return dot(normal, incident_light(light, position).to_light) > Float(0);
 }
 
 /// The normals of the faces that a strip's fragments lie in. Neighbours mostly lie in the same one, and it is found once for a row of
@@ -116,6 +111,21 @@ class FaceNormals {
 struct Squares {
   alignas(64) std::array<std::int32_t, kStrip> first;
   alignas(64) std::array<float, kStrip> share_x, share_y, key, slope_x, slope_y;
+  alignas(64) std::array<float, kStrip> to_light_x, to_light_y, to_light_z, n_dot_l;  ///< facing_share()'s
+
+  /// Whether any surface of the batch faces the light, as the equation judges it: N.L > 0.
+  HWY_INLINE bool aim(std::size_t i, const ShadingLight& light, const Vec3<Float>& position, const Vec3<Float>& normal) {
+    const Vec3<Float> to_light = incident_light(light, position).to_light;
+    const Float cosine = dot(normal, to_light);
+    store(&to_light_x[i], to_light.x);
+    store(&to_light_y[i], to_light.y);
+    store(&to_light_z[i], to_light.z);
+    store(&n_dot_l[i], cosine);
+    return any_of(cosine > Float(0));
+  }
+  [[nodiscard]] HWY_INLINE Float facing(std::size_t i, const Vec3<Float>& face_normal, const Vec3<Float>& normal) const {
+    return facing_share(face_normal, normal, {load(&to_light_x[i]), load(&to_light_y[i]), load(&to_light_z[i])}, load(&n_dot_l[i]));
+  }
 
   HWY_INLINE void put(std::size_t i, const DepthSquare<Float>& square) {
     store(&first[i], square.first);
@@ -164,7 +174,7 @@ inline HWY_NOINLINE void find_visibilities(const Run& run, const Strip& strip) {
     float* visibilities = &run.s.visibilities[l * kStrip];
     std::size_t count = 0;
     for (std::size_t i = 0; i < batches * kLanes; i += kLanes) {
-      if (any_of(is_before(scene.lights[l], Strip::get(strip.position, i), Strip::get(strip.normal, i)))) {
+      if (squares.aim(i, scene.lights[l], Strip::get(strip.position, i), Strip::get(strip.normal, i))) {
         normals.ask(i);
         asked[count++] = i;
       } else {
@@ -173,11 +183,13 @@ inline HWY_NOINLINE void find_visibilities(const Run& run, const Strip& strip) {
     }
     normals.find();
     for (std::size_t b = 0; b < count; ++b) {
-      squares.put(asked[b], square_around(map, Strip::get(strip.position, asked[b]), normals.get(asked[b])));
+      const Vec3<Float> face_normal = normals.get(asked[b]);
+      squares.put(asked[b], square_around(map, Strip::get(strip.position, asked[b]), face_normal));
       squares.prefetch(map, asked[b]);
+      store(visibilities + asked[b], squares.facing(asked[b], face_normal, Strip::get(strip.normal, asked[b])));
     }
     for (std::size_t b = 0; b < count; ++b) {
-      store(visibilities + asked[b], share_that_is_lit(map, squares.get(asked[b])));
+      store(visibilities + asked[b], share_that_is_lit(map, squares.get(asked[b])) * load(visibilities + asked[b]));
     }
     normals.forget();
   }

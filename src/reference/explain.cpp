@@ -41,6 +41,8 @@ Result<Explanation> take_apart(const Scene& scene, int x, int y) {
   explanation.y = y;
   explanation.interpolation = scene.shading.interpolation;
   explanation.samples = prepared->view.samples;
+  explanation.ambient_light = prepared->ambient;
+  explanation.normalized = prepared->shading.normalized;
   const Pixel pixel = resolve_pixel(*prepared, triangles, visibility, x, y, false, &explanation.fragments);
   explanation.ambient = pixel.terms.ambient;
   explanation.diffuse = pixel.terms.diffuse;

@@ -82,6 +82,9 @@ Evaluation evaluate(const Face& face, const Surface<float>& surface, const Coeff
                                          .attenuation = in.attenuation,
                                          .spot = in.spot,
                                          .visibility = in.visibility,
+                                         .light_ambient = scene.lights[i].ambient,
+                                         .light_diffuse = scene.lights[i].diffuse,
+                                         .light_specular = scene.lights[i].specular,
                                          .ambient = part.ambient,
                                          .diffuse = part.diffuse,
                                          .specular = part.specular});
@@ -97,15 +100,20 @@ Evaluation evaluate(const Face& face, const Surface<float>& surface, const Coeff
     explanation->position = vec_cast<float>(vec_cast<double>(surface.position) + scene.view.eye);
     explanation->normal = surface.normal;
     explanation->to_eye = surface.to_eye;
+    explanation->k_ambient = k.ambient;
+    explanation->k_diffuse = k.diffuse;
+    explanation->k_specular = k.specular;
+    explanation->k_emission = k.emission;
+    explanation->shininess = k.shininess.n;
     explanation->ambient = result.terms.ambient;
     explanation->diffuse = result.terms.diffuse;
     explanation->specular = result.terms.specular;
     explanation->emission = result.terms.emission;
     explanation->openness = openness;
     explanation->scene_ambient = face.material.lighting == Lighting::constant ? Vec3f{} : k.ambient * scene.ambient * openness;
-    explanation->environment = scene.around && face.material.lighting != Lighting::constant
-                                   ? k.diffuse * light_around(*scene.around, surface.normal) * openness
-                                   : Vec3f{};
+    explanation->from_environment =
+        scene.around && face.material.lighting != Lighting::constant ? light_around(*scene.around, surface.normal) : Vec3f{};
+    explanation->environment = k.diffuse * explanation->from_environment * openness;
   }
   return result;
 }
@@ -125,6 +133,15 @@ const Mapped* maps_after_light(const Face& face, const Mapped* mapped) {
   return face.material.maps.has(MapKind::decal) ? nullptr : mapped;
 }
 
+void explain_maps_after_light(const Mapped& after, FragmentExplanation* explanation) {
+  if (explanation != nullptr) {
+    explanation->maps_ambient = after.factors.ambient;
+    explanation->maps_diffuse = after.factors.diffuse;
+    explanation->maps_specular = after.factors.specular;
+    explanation->maps_emission = after.factors.emission;
+  }
+}
+
 Evaluation shade_flat(const Face& face, std::span<const float> seen, const Mapped* mapped, bool wants_lights, FragmentExplanation* explanation) {
   const Vec3f center = ((face.position(0) + face.position(1)) + face.position(2)) * (1.0F / 3.0F);
   const Surface<float> surface{center, face.face_normal(), face.scene.view.to_eye_from(center)};
@@ -136,6 +153,7 @@ Evaluation shade_flat(const Face& face, std::span<const float> seen, const Mappe
   }
   Evaluation shading = evaluate(face, surface, k, seen, after, wants_lights, add_shading(explanation, 1));
   if (after != nullptr) {
+    explain_maps_after_light(*after, explanation);
     modulate(after->factors, shading.terms);
   }
   return shading;
@@ -175,6 +193,7 @@ Evaluation shade_gouraud(const Face& face, const Vec3f& weights, std::span<const
     }
     scale_vertex(vertex, by);
     if (shading != nullptr) {
+      shading->clamp = by;
       shading->ambient = vertex.terms.ambient;
       shading->diffuse = vertex.terms.diffuse;
       shading->specular = vertex.terms.specular;
@@ -192,6 +211,7 @@ Evaluation shade_gouraud(const Face& face, const Vec3f& weights, std::span<const
     }
   }
   if (after != nullptr) {
+    explain_maps_after_light(*after, explanation);
     modulate(after->factors, sum.terms);
   }
   return sum;

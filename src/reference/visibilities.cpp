@@ -11,7 +11,7 @@ std::vector<float> visibilities_at(const Face& face, const Vec3f& position, cons
   std::vector<float> visibilities(scene.lights.size() + 1, 1.0F);
   for (std::size_t l = 0; l < scene.shadows.maps.size(); ++l) {
     if (scene.shadows.maps[l].shape != DepthShape::none) {
-      visibilities[l] = visibility_in(scene.shadows.maps[l], position, face.face_normal());
+      visibilities[l] = visibility_of(scene.lights[l], scene.shadows.maps[l], position, face.face_normal(), normal);
     }
   }
   if (!scene.occlusion.empty()) {

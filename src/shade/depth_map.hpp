@@ -7,6 +7,8 @@
 //   lift      that plane is lifted off the surface, along its normal, by kLift texels as they lie on the surface's place in space: more than
 //             rounding and neighbours that bend towards the light can make up, less than shadows are wrong by for being made of texels
 //
+// A third thing is the mesh itself: facing_share() ends the light where a face turns away from it that its smooth normals do not.
+//
 // A texel whose depth is nearer to the light than the lifted plane is in shadow. Keys stand for depths: larger is nearer, and linear on the map
 // (1 / depth in perspective), so that a plane is linear on the map, too.
 #pragma once
@@ -17,6 +19,7 @@
 #include "lustro/vec.hpp"
 #include "math/affine_rows.hpp"
 #include "math/lane.hpp"
+#include "shade/lighting.hpp"
 
 namespace lustro {
 
@@ -182,6 +185,27 @@ LUSTRO_INLINE F share_that_is_lit(const DepthMap& map, const DepthSquare<F>& squ
 template <class F>
 LUSTRO_INLINE F visibility_in(const DepthMap& map, const Vec3<F>& position, const Vec3<F>& normal) {
   return share_that_is_lit(map, square_around(map, position, normal));
+}
+
+/// How much of a light a face lets its smooth normal see: clamp01(4 (F.L) / (N.L)). Where normals are interpolated, faces that turn away from
+/// the light, or lie along it, still have normals that face it; there the map compares the face with itself, texel by texel at random. Instead
+/// light ends where the face turns away, softly. Exactly 1 where the face sees at least a quarter of what its normal sees: on all that is flat.
+///
+/// face_normal  F, unit; turned to the side of N
+/// n_dot_l      of the normal that is lit
+template <class F>
+LUSTRO_INLINE F facing_share(const Vec3<F>& face_normal, const Vec3<F>& normal, const Vec3<F>& to_light, const F& n_dot_l) {
+  const F f_dot_l = dot(face_normal, to_light);
+  const F turned = select(dot(face_normal, normal) < F(0), -f_dot_l, f_dot_l);
+  return clamp01(F(4) * turned / lane_max(n_dot_l, F(1e-6F)));
+}
+
+/// v of a light at a point of a face, whose lit normal is `normal`.
+template <class F>
+LUSTRO_INLINE F visibility_of(const ShadingLight& light, const DepthMap& map, const Vec3<F>& position, const Vec3<F>& face_normal,
+                              const Vec3<F>& normal) {
+  const Vec3<F> to_light = incident_light(light, position).to_light;
+  return visibility_in(map, position, face_normal) * facing_share(face_normal, normal, to_light, dot(normal, to_light));
 }
 
 }  // namespace lustro

@@ -45,8 +45,8 @@ out vec4 fragment_color;
 #ifdef SRGB
 
 // The sRGB transfer function (IEC 61966-2-1).
-float srgb_encode(float linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * pow(linear, 1.0 / 2.4) - 0.055;
+vec3 srgb_encode(vec3 linear) {
+  return mix(linear * 12.92, pow(linear, vec3(1.0 / 2.4)) * 1.055 - vec3(0.055), step(vec3(0.0031308), linear));
 }
 #endif
 
@@ -80,7 +80,7 @@ void main() {
 #endif
 #ifdef SRGB
   color = clamp(color, 0.0, 1.0);
-  color = vec3(srgb_encode(color.x), srgb_encode(color.y), srgb_encode(color.z));
+  color = srgb_encode(color);
 #endif
   fragment_color = vec4(color, 1.0);
 }

@@ -56,6 +56,7 @@ Words words_of(const GlslOptions& options) {
 
   add(options.projection == Projection::orthographic, "ORTHOGRAPHIC");
   add(options.two_sided, "TWO_SIDED");
+  add(options.known_lights.has_value() && !is_constant, "KNOWN_LIGHTS");
   add(options.fog, "FOG");
   add(options.transfer == Transfer::srgb, "SRGB");
   return words;
@@ -69,9 +70,34 @@ bool take_prefix(std::string_view& text, std::string_view prefix) {
   return true;
 }
 
+// A light's own line of the sum. Members that do nothing become constants, which every compiler folds.
+std::string sum_of_known(const std::vector<GlslKnownLight>& lights) {
+  std::string text;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const GlslKnownLight& known = lights[i];
+    const std::string name = "light" + std::to_string(i);
+    const auto state = [&](bool is_so, std::string_view what) {
+      if (is_so) {
+        text += "  " + name + "." + std::string(what) + ";\n";
+      }
+    };
+    const bool is_spot = known.type == LightType::spot;
+    const bool is_far = known.type == LightType::directional;
+    text += "  ShadingLight " + name + " = lights[" + std::to_string(i) + "];\n";
+    state(true, is_far ? "type = kDirectional" : is_spot ? "type = kSpot" : "type = kPoint");
+    state(!is_far && !known.has_polynomial && !known.has_power, "attenuation = vec3(1.0, 0.0, 0.0)");
+    state(!is_far && !known.has_power, "falloff = 0.0");
+    state(!is_far && !known.has_range, "range_scale = 0.0");
+    state(is_spot && !known.has_exponent, "exponent = 0.0");
+    state(is_spot && !known.has_beam, "beam_scale = 0.0");
+    text += "  terms = add_light(terms, s, k, " + name + ");\n";
+  }
+  return text;
+}
+
 class Cutter {
  public:
-  Cutter(const Words& words, int max_lights) : words_(words), max_lights_(max_lights) {}
+  Cutter(const Words& words, const GlslOptions& options) : words_(words), options_(options) {}
 
   void cut(std::string_view text) {
     std::vector<bool> open;  // one an enclosing region: whether it is kept
@@ -104,7 +130,9 @@ class Cutter {
     } else if (line == R"(#include "fog.glsl")") {
       cut(kFog);
     } else if (take_prefix(line, "const int kMaxLights")) {
-      out_ += "const int kMaxLights = " + std::to_string(max_lights_) + ";\n";
+      out_ += "const int kMaxLights = " + std::to_string(std::max(options_.max_lights, 1)) + ";\n";
+    } else if (line == "  KNOWN_LIGHTS") {
+      out_ += sum_of_known(*options_.known_lights);
     } else if (!line.empty() || !out_.ends_with("\n\n")) {  // never two blank lines
       out_ += line;
       out_ += '\n';
@@ -112,7 +140,7 @@ class Cutter {
   }
 
   const Words& words_;
-  int max_lights_;
+  const GlslOptions& options_;
   std::string out_ = "#version 300 es\n";
 };
 
@@ -120,7 +148,7 @@ class Cutter {
 
 std::string glsl_shader(GlslStage stage, const GlslOptions& options) {
   const Words words = words_of(options);
-  Cutter cutter(words, std::max(options.max_lights, 1));
+  Cutter cutter(words, options);
   cutter.cut(stage == GlslStage::vertex ? kVertex : kFragment);
   return cutter.take();
 }

@@ -3,13 +3,26 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "lustro/options.hpp"
 
 namespace lustro {
 
 enum class GlslStage : std::uint8_t { vertex, fragment };
+
+/// What is known of a light before its numbers are. What a light does not have is left out of the shader.
+struct GlslKnownLight {
+  LightType type = LightType::directional;
+  bool has_polynomial = true;  ///< f = 1 / (c + l d + q d^2) with another result than 1
+  bool has_power = true;       ///< f = 1 / d^p, of a p that is no polynomial
+  bool has_range = true;
+  bool has_exponent = true;  ///< of a spot, as the next
+  bool has_beam = true;
+  friend bool operator==(const GlslKnownLight&, const GlslKnownLight&) = default;
+};
 
 /// What a pair of shaders does. Both stages must be made from the same options.
 struct GlslOptions {
@@ -22,6 +35,9 @@ struct GlslOptions {
   bool fog = false;
   Transfer transfer = Transfer::srgb;  ///< `srgb` encodes the result
   int max_lights = 8;                  ///< the size of the uniform array `lights`, at least 1
+
+  /// The lights, where they are known: their sum is written out, without `light_count`, for just these (at most max_lights). It is faster.
+  std::optional<std::vector<GlslKnownLight>> known_lights{};
 };
 
 /// The text of one shader, `#version 300 es` first.

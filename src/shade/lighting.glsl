@@ -78,7 +78,9 @@ uniform Coefficients material;
 uniform vec3 ambient_light;  // I_a
 const int kMaxLights = 8;
 uniform ShadingLight lights[kMaxLights];
+#ifndef KNOWN_LIGHTS
 uniform int light_count;
+#endif
 #endif
 
 // The colour is the sum of the terms in exactly this order.
@@ -100,15 +102,10 @@ vec3 sum(Terms terms) {
 }
 #ifndef CONSTANT
 
-// x^n with the conventions of lighting: x^0 = 1 for every x, 0 to a positive power is 0, negative x counts as 0. pow() alone leaves them open.
+// x^n with the conventions of lighting: x^0 = 1 for every x, negative x counts as 0, 0 to a positive power is 0. pow() alone leaves the first
+// two open. What is raised to a negative power is a distance, which is never 0.
 float power(float x, float n) {
-  if (n == 0.0) {
-    return 1.0;
-  }
-  if (x < 1.17549435e-38) {
-    return n < 0.0 ? 1.7014118e38 : 0.0;
-  }
-  return min(pow(x, n), 1.7014118e38);
+  return n == 0.0 ? 1.0 : pow(max(x, 0.0), n);
 }
 
 // f = 1 / (c + l d + q d^2), or 1 / d^p; at most the limit.
@@ -281,6 +278,16 @@ LightTerms reflect_light(Surface s, Coefficients k, ShadingLight light, Incident
   return part;
 }
 #endif
+
+// The sum with one more light.
+Terms add_light(Terms terms, Surface s, Coefficients k, ShadingLight light) {
+  Incident incident = incident_light(light, s.position);
+  LightTerms part = reflect_light(s, k, light, incident);
+  terms.ambient += part.ambient;
+  terms.diffuse += part.diffuse;
+  terms.specular += part.specular;
+  return terms;
+}
 #endif
 
 // The whole equation at one point.
@@ -296,13 +303,13 @@ Terms light_surface(Surface s, Coefficients k) {
   terms.diffuse = vec3(0.0);
   terms.specular = vec3(0.0);
   terms.emission = k.emission;
+#ifdef KNOWN_LIGHTS
+  KNOWN_LIGHTS
+#else
   for (int i = 0; i < light_count; ++i) {
-    Incident incident = incident_light(lights[i], s.position);
-    LightTerms part = reflect_light(s, k, lights[i], incident);
-    terms.ambient += part.ambient;
-    terms.diffuse += part.diffuse;
-    terms.specular += part.specular;
+    terms = add_light(terms, s, k, lights[i]);
   }
+#endif
 #endif
   return terms;
 }

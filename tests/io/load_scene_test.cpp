@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <mutex>
+#include <set>
 
 #include "io_testing.hpp"
 #include "lustro/image.hpp"
@@ -277,6 +279,60 @@ TEST(LoadSceneTextures, ACubeHasSixPicturesAndOneThatIsMissingIsLeftOut) {
   EXPECT_FALSE(map->faces[5]);
   ASSERT_EQ(loaded.notes.size(), 1U);
   EXPECT_EQ(loaded.notes[0].text(), "objects[0].material.textures: reflection.back: the texture \"k.png\" is missing; drawn without it");
+}
+
+/// The files that loading names, by their names in the folder, sorted.
+std::vector<std::string> files_of(const TemporaryFolder& folder, const std::string& entry, int threads = 0) {
+  std::mutex mutex;
+  std::set<std::string> names;
+  const auto on_file = [&](const fs::path& file) {
+    const std::scoped_lock lock(mutex);
+    names.insert(file.lexically_normal().lexically_relative(folder.path).generic_string());
+  };
+  static_cast<void>(good(load_scene(folder.path / entry, {.threads = threads, .on_file = on_file})));
+  return {names.begin(), names.end()};
+}
+
+TEST(LoadSceneFiles, AreNamedAsTheyAreOpened) {
+  const TemporaryFolder folder;
+  Image gray(1, 1, 3);
+  fs::create_directories(folder.path / "s/tex");
+  for (const char* const name : {"s/tex/wood.png", "s/sky.png", "s/own.png", "s/never.png"}) {
+    ASSERT_TRUE(write_image(folder.path / name, gray, {}));
+  }
+  folder.write("meshes/a.obj", "mtllib mtl/a.mtl\nmtllib mtl/gone.mtl\nusemtl m\n" + std::string(kTriangle));
+  folder.write("meshes/mtl/a.mtl", "newmtl m\nmap_Kd broken.png\nmap_Ks gone.png\nmap_Ke ../../../../outside.png\n");
+  folder.write("meshes/mtl/broken.png", "no picture");
+  folder.write("s/b.stl", facets(1, 1));
+  fs::create_symlink("b.stl", folder.path / "s/c.stl");
+  folder.write("s/scene.json",
+               R"({"environment": {"file": "sky.png"}, "objects": [{"mesh": "../meshes/a.obj"}, {"mesh": "b.stl"}, {"mesh": "c.stl"},
+    {"mesh": "primitive:cube", "material": {"textures": {"diffuse": "own.png", "bump": "tex/wood.png"}}}]})");
+  for (const int threads : {1, 4}) {
+    EXPECT_THAT(files_of(folder, "s/scene.json", threads),
+                testing::ElementsAre("meshes/a.obj", "meshes/mtl/a.mtl", "meshes/mtl/broken.png", "meshes/mtl/gone.mtl", "s/b.stl", "s/c.stl",
+                                     "s/own.png", "s/scene.json", "s/sky.png", "s/tex/wood.png"));
+  }
+  EXPECT_THAT(files_of(folder, "s/b.stl"), testing::ElementsAre("s/b.stl"));
+}
+
+TEST(LoadSceneFiles, OfAGltfAreItsBuffersAndPictures) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder.path / "g/data");
+  for (const char* const name : {"g/data/a b.png", "g/data/unused.png"}) {
+    ASSERT_TRUE(write_image(folder.path / name, Image(1, 1, 3), {}));
+  }
+  folder.write("g/data/a.bin", std::string(60, '\0'));
+  folder.write("g/a.gltf", R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "scene": 0, "nodes": [{"mesh": 0}],
+    "buffers": [{"uri": "data/a.bin", "byteLength": 60}], "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [0, 0, 0]},
+                  {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"}],
+    "images": [{"uri": "data/a%20b.png"}, {"uri": "data/unused.png"}], "textures": [{"source": 0}, {"source": 1}],
+    "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": 0}]}]})");
+  EXPECT_THAT(files_of(folder, "g/a.gltf"), testing::ElementsAre("g/a.gltf", "g/data/a b.png", "g/data/a.bin"));
+  folder.write("scene.json", R"({"objects": [{"mesh": "g/a.gltf#nodes[0]"}]})");
+  EXPECT_THAT(files_of(folder, "scene.json"), testing::ElementsAre("g/a.gltf", "g/data/a b.png", "g/data/a.bin", "scene.json"));
 }
 
 TEST(LoadSceneTextures, TexturesOutsideOfTheScenesTreeAreNotRead) {

@@ -127,6 +127,37 @@ class Resuming : public ::testing::Test {
                                                      ::testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
+TEST_F(Resuming, PreviewsAreThePicturesOfSoManyPaths) {
+  const auto whole = draw(41, 2, false);
+  ASSERT_TRUE(whole) << whole.error().text();
+  std::vector<int> seen;
+  options_.path.preview_seconds = 0;
+  options_.path.preview = [&](const Rendering& so_far) -> Result<void> {
+    options_.path.preview = nullptr;
+    const auto same = draw(so_far.stats.samples, 1, false);
+    seen.push_back(so_far.stats.samples);
+    EXPECT_EQ(so_far.color.pixels, same->color.pixels);
+    EXPECT_EQ(so_far.layers[0].image.pixels, same->layers[0].image.pixels);
+    EXPECT_EQ(so_far.stats.pixels_covered, same->stats.pixels_covered);
+    EXPECT_EQ(so_far.stats.error, same->stats.error);
+    return {};
+  };
+  const RenderOptions shown = options_;
+  RenderOptions asked = shown;
+  asked.threads = 2;
+  asked.path.samples = 41;
+  const auto drawn = render(scene_, asked);
+  ASSERT_TRUE(drawn);
+  EXPECT_EQ(seen.front(), 1);  // a first look soon
+  EXPECT_LT(seen.back(), 41);  // the last one is the result
+  EXPECT_EQ(drawn->color.pixels, whole->color.pixels);
+
+  asked.path.preview = [](const Rendering&) -> Result<void> { return fail(ErrorKind::io, "full", "is full"); };
+  const auto failed = render(scene_, asked);
+  ASSERT_FALSE(failed);
+  EXPECT_EQ(failed.error().text(), "full: is full");
+}
+
 TEST_F(Resuming, APictureThatWasInterruptedEndsWithTheBitsOfOneThatWasNot) {
   const auto whole = draw(41, 2, false);
   ASSERT_TRUE(whole);

@@ -1,6 +1,7 @@
 // An explanation is the rendering of one pixel: equal to the last bit.
 #include <array>
 
+#include "reference/explained_products.hpp"
 #include "reference/scenes.hpp"
 
 namespace lustro {
@@ -61,6 +62,36 @@ TEST(Explain, ALightsNumbersFollowFromItsVectors) {
   EXPECT_NEAR(f.barycentrics.x + f.barycentrics.y + f.barycentrics.z, 1, 1e-6F);
   EXPECT_EQ(s.lights[0].distance, 0.0F);
   EXPECT_LT(s.lights[1].attenuation, 1.0F);
+}
+
+TEST(Explain, FactorsMultiplyToTermsAlsoUnderVertexColoursAndTheClamp) {
+  std::mt19937 random(4);
+  for (const Interpolation interpolation : {Interpolation::flat, Interpolation::gouraud, Interpolation::phong}) {
+    for (const Lighting lighting : {Lighting::lambert, Lighting::phong, Lighting::blinn_phong}) {
+      Scene scene = rich_scene();
+      scene.shading.interpolation = interpolation;
+      scene.shading.lighting = lighting;
+      scene.shading.terms.emission = lighting == Lighting::phong;
+      scene.lights->front().diffuse = {{3, 2.5F, 0.5F}};
+      auto mesh = std::make_shared<Mesh>(*scene.objects[0].mesh);
+      for (const Vec3f& p : mesh->positions) {
+        mesh->colors.push_back({p.x * 0.5F + 0.5F, p.y * 0.5F + 0.5F, 0.7F});
+      }
+      scene.objects[0].mesh = mesh;
+      bool is_clamped = false;
+      for (int i = 0; i < 40; ++i) {
+        const auto e = explain(scene, static_cast<int>(random() % 97), static_cast<int>(random() % 61));
+        ASSERT_TRUE(e);
+        expect_products(*e);
+        for (const FragmentExplanation& f : e->fragments) {
+          for (const ShadingExplanation& s : f.shadings) {
+            is_clamped = is_clamped || s.clamp != Vec3f{1, 1, 1};
+          }
+        }
+      }
+      EXPECT_EQ(is_clamped, interpolation == Interpolation::gouraud);
+    }
+  }
 }
 
 TEST(Explain, GouraudShowsThreeVerticesAndFlatOneFace) {

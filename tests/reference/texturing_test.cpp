@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 
+#include "reference/explained_products.hpp"
 #include "reference/scenes.hpp"
 #include "reference/triangle.hpp"
 #include "texture/texture.hpp"
@@ -513,6 +514,7 @@ TEST(Texturing, AnExplanationEqualsThePixelAndSaysWhatTheMapsSaid) {
       ASSERT_EQ(e->color, (std::array<float, 4>{pixel[0], pixel[1], pixel[2], pixel[3]}));
       const Vec3f sum = ((((e->ambient + e->diffuse) + e->specular) + e->emission) + e->fog) + e->background;
       ASSERT_EQ(sum, (Vec3f{pixel[0], pixel[1], pixel[2]}));
+      expect_products(*e);
       for (const FragmentExplanation& f : e->fragments) {
         if (f.maps.empty()) {
           EXPECT_EQ(f.object, 1);

@@ -93,7 +93,7 @@ class Worst {
   }
   void compare(float mirror, float expected) {
     const float error = std::abs(mirror - expected) / (kAbsolute + kRelative * std::abs(expected));
-    worst_ = error <= worst_ ? worst_ : error;  // keeps NaN
+    worst_ = std::isnan(worst_) || error <= worst_ ? worst_ : error;  // keeps NaN
     brightest_ = std::max(brightest_, expected);
   }
   void expect_within() const {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 namespace glsl {
 
@@ -71,7 +72,23 @@ inline Float sqrt(Float a) {
   return std::sqrt(a.v);
 }
 inline Float pow(Float a, Float b) {
-  return std::pow(a.v, b.v);
+  const bool is_defined = a.v > 0 || (a.v == 0 && b.v > 0);  // GLSL ES 3.00, 8.2
+  return is_defined ? std::pow(a.v, b.v) : std::numeric_limits<float>::quiet_NaN();
+}
+inline vec3 pow(const vec3& a, const vec3& b) {
+  return {pow(a.x, b.x), pow(a.y, b.y), pow(a.z, b.z)};
+}
+inline Float mix(Float a, Float b, Float t) {
+  return a * (Float(1.0F) - t) + b * t;
+}
+inline vec3 mix(const vec3& a, const vec3& b, const vec3& t) {
+  return {mix(a.x, b.x, t.x), mix(a.y, b.y, t.y), mix(a.z, b.z, t.z)};
+}
+inline Float step(Float edge, Float a) {
+  return a < edge ? 0.0F : 1.0F;
+}
+inline vec3 step(const vec3& edge, const vec3& a) {
+  return {step(edge.x, a.x), step(edge.y, a.y), step(edge.z, a.z)};
 }
 inline Float exp2(Float a) {
   return std::exp2(a.v);

@@ -105,6 +105,21 @@ TEST(GlslShader, HoldsTheChosenModelAlone) {
   EXPECT_THAT(fragment({.lighting = Lighting::constant}), Not(HasSubstr("light_count")));
 }
 
+TEST(GlslShader, KnownLightsAreWrittenOut) {
+  const GlslKnownLight near{.type = LightType::point, .has_polynomial = false, .has_power = false, .has_range = false};
+  const GlslKnownLight spot{.type = LightType::spot, .has_exponent = false};
+  const std::string text = fragment({.known_lights = std::vector{GlslKnownLight{}, near, spot}});
+  EXPECT_THAT(text, Not(HasSubstr("light_count")));
+  EXPECT_THAT(text, Not(HasSubstr("KNOWN_LIGHTS")));
+  EXPECT_THAT(text, HasSubstr("light0.type = kDirectional;\n  terms = add_light(terms, s, k, light0);"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("light1.type = kPoint;\n  light1.attenuation = vec3(1.0, 0.0, 0.0);\n  light1.falloff = 0.0;\n  light1.range_scale = 0.0;\n"));
+  EXPECT_THAT(text, HasSubstr("light2.type = kSpot;\n  light2.exponent = 0.0;\n  terms"));
+  EXPECT_THAT(fragment({.known_lights = std::vector<GlslKnownLight>{}}), Not(HasSubstr("= add_light(")));
+  EXPECT_THAT(fragment({}), HasSubstr("i < light_count"));
+}
+
 TEST(GlslShader, LightsWhereTheInterpolationSays) {
   const GlslOptions flat{.interpolation = Interpolation::flat};
   const GlslOptions gouraud{.interpolation = Interpolation::gouraud};
@@ -132,7 +147,7 @@ TEST(GlslShader, TurnsTheNormalRoundWhereAskedTo) {
 TEST(GlslShader, AddsFogTransferAndNormalizationWhereAskedTo) {
   EXPECT_THAT(fragment({.fog = true}), HasSubstr("fog_factor(fog, length(surface_position))"));
   EXPECT_THAT(fragment({}), Not(HasSubstr("fog")));
-  EXPECT_THAT(fragment({.transfer = Transfer::srgb}), HasSubstr("srgb_encode(color.x)"));
+  EXPECT_THAT(fragment({.transfer = Transfer::srgb}), HasSubstr("srgb_encode(color)"));
   EXPECT_THAT(fragment({.transfer = Transfer::none}), Not(HasSubstr("srgb")));
   EXPECT_THAT(fragment({.lighting = Lighting::phong, .normalized = true}), HasSubstr("Lafortune and Willems"));
   EXPECT_THAT(fragment({.lighting = Lighting::phong}), Not(HasSubstr("lobe_normalization")));

@@ -59,6 +59,9 @@ class GlslValidator : public testing::TestWithParam<std::tuple<Lighting, Interpo
 
 TEST_P(GlslValidator, AcceptsEveryCombination) {
   const auto [lighting, interpolation] = GetParam();
+  const std::vector<GlslKnownLight> known{{.type = LightType::directional},
+                                          {.type = LightType::point, .has_polynomial = false, .has_power = false},
+                                          {.type = LightType::spot, .has_range = false}};
   for (unsigned bits = 0; bits < 64; ++bits) {
     const auto bit = [bits](unsigned i) { return (bits >> i & 1U) != 0; };
     write(std::to_string(bits), {.lighting = lighting,
@@ -68,7 +71,8 @@ TEST_P(GlslValidator, AcceptsEveryCombination) {
                                  .two_sided = bit(2),
                                  .normalized = bit(3),
                                  .fog = bit(4),
-                                 .transfer = bit(5) ? Transfer::none : Transfer::srgb});
+                                 .transfer = bit(5) ? Transfer::none : Transfer::srgb,
+                                 .known_lights = bit(5) == bit(0) ? std::optional(known) : std::nullopt});
   }
   const Outcome compiled = compile_all();
   EXPECT_TRUE(compiled.success) << compiled.output;
