@@ -16,6 +16,7 @@ namespace lustro::app {
 [[nodiscard]] Command make_batch(CommandLine& line, Session& session);
 [[nodiscard]] Command make_bench(CommandLine& line, Session& session);
 [[nodiscard]] Command make_materials(CommandLine& line, Session& session);
+[[nodiscard]] Command make_lab(CommandLine& line, Session& session);
 [[nodiscard]] Command make_glsl(CommandLine& line, Session& session);
 [[nodiscard]] Command make_schema(CommandLine& line, Session& session);
 [[nodiscard]] Command make_completions(CommandLine& line, Session& session);

@@ -109,6 +109,14 @@ void add_resume_flag(CLI::App& app, DrawFlags& flags) {
           ->group("Paths (with --engine path)"));
 }
 
+void add_preview_flag(CLI::App& app, DrawFlags& flags) {
+  flags.path_flags.push_back(app.add_option("--preview", flags.path.preview_seconds,
+                                            "Writes the picture so far this often, seconds; 0 writes the last one alone (default: 5)")
+                                 ->type_name("S")
+                                 ->check(CLI::NonNegativeNumber)
+                                 ->group("Paths (with --engine path)"));
+}
+
 void settle_samples(const std::vector<const CLI::Option*>& path_flags, PathOptions& path) {
   if (!path_flags.empty() && path_flags.front()->count() == 0 && (path.seconds > 0 || path.target_error > 0)) {
     path.samples = kMostSamples;

@@ -25,8 +25,9 @@ enum class PathFlags { none, all, without_seconds };
 /// `--spp`, `--target-error`, `--bounces`, `--seed` and, with all, `--seconds`; `--spp` first. What `path` holds is the default.
 std::vector<const CLI::Option*> add_path_flags(CLI::App& app, PathOptions& path, const std::string& group, PathFlags which = PathFlags::all);
 
-/// `--resume`, of a command that draws one picture.
+/// `--resume` and `--preview`, of a command that draws one picture.
 void add_resume_flag(CLI::App& app, DrawFlags& flags);
+void add_preview_flag(CLI::App& app, DrawFlags& flags);
 
 /// Where a time or an error is stated and no number of paths, there is no other limit.
 void settle_samples(const std::vector<const CLI::Option*>& path_flags, PathOptions& path);

@@ -18,6 +18,9 @@ Json light_json(const LightExplanation& light) {
           {"attenuation", json_number(light.attenuation)},
           {"spot", json_number(light.spot)},
           {"visibility", json_number(light.visibility)},
+          {"light_ambient", json_vector(light.light_ambient)},
+          {"light_diffuse", json_vector(light.light_diffuse)},
+          {"light_specular", json_vector(light.light_specular)},
           {"ambient", json_vector(light.ambient)},
           {"diffuse", json_vector(light.diffuse)},
           {"specular", json_vector(light.specular)}};
@@ -28,12 +31,25 @@ Json shading_json(const ShadingExplanation& shading) {
   for (const LightExplanation& light : shading.lights) {
     lights.push_back(light_json(light));
   }
-  return {{"weight", json_number(shading.weight)},           {"position", json_vector(shading.position)},
-          {"normal", json_vector(shading.normal)},           {"to_eye", json_vector(shading.to_eye)},
-          {"openness", json_number(shading.openness)},       {"scene_ambient", json_vector(shading.scene_ambient)},
-          {"environment", json_vector(shading.environment)}, {"ambient", json_vector(shading.ambient)},
-          {"diffuse", json_vector(shading.diffuse)},         {"specular", json_vector(shading.specular)},
-          {"emission", json_vector(shading.emission)},       {"lights", lights}};
+  return {{"weight", json_number(shading.weight)},
+          {"position", json_vector(shading.position)},
+          {"normal", json_vector(shading.normal)},
+          {"to_eye", json_vector(shading.to_eye)},
+          {"k_ambient", json_vector(shading.k_ambient)},
+          {"k_diffuse", json_vector(shading.k_diffuse)},
+          {"k_specular", json_vector(shading.k_specular)},
+          {"k_emission", json_vector(shading.k_emission)},
+          {"shininess", json_number(shading.shininess)},
+          {"clamp", json_vector(shading.clamp)},
+          {"from_environment", json_vector(shading.from_environment)},
+          {"openness", json_number(shading.openness)},
+          {"scene_ambient", json_vector(shading.scene_ambient)},
+          {"environment", json_vector(shading.environment)},
+          {"ambient", json_vector(shading.ambient)},
+          {"diffuse", json_vector(shading.diffuse)},
+          {"specular", json_vector(shading.specular)},
+          {"emission", json_vector(shading.emission)},
+          {"lights", lights}};
 }
 
 Json map_json(const MapExplanation& map) {
@@ -77,6 +93,10 @@ Json fragment_json(const FragmentExplanation& fragment) {
           {"coefficients", json_material(fragment.coefficients)},
           {"maps", maps},
           {"shadings", shadings},
+          {"maps_ambient", json_vector(fragment.maps_ambient)},
+          {"maps_diffuse", json_vector(fragment.maps_diffuse)},
+          {"maps_specular", json_vector(fragment.maps_specular)},
+          {"maps_emission", json_vector(fragment.maps_emission)},
           {"reflection", json_vector(fragment.reflection)},
           {"ambient", json_vector(fragment.ambient)},
           {"diffuse", json_vector(fragment.diffuse)},
@@ -101,6 +121,8 @@ Json explanation_json(const Explanation& explanation) {
           {"y", explanation.y},
           {"interpolation", word_of(explanation.interpolation)},
           {"samples", explanation.samples},
+          {"ambient_light", json_vector(explanation.ambient_light)},
+          {"normalized", explanation.normalized},
           {"fragments", fragments},
           {"background_weight", json_number(explanation.background_weight)},
           {"ambient", json_vector(explanation.ambient)},

@@ -29,4 +29,10 @@ void prepare_heap() {
 #endif
 }
 
+void give_back_heap() {
+#if defined(__GLIBC__)
+  ::malloc_trim(0);
+#endif
+}
+
 }  // namespace lustro::app

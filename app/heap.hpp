@@ -8,4 +8,7 @@ namespace lustro::app {
 /// nothing depends on it.
 void prepare_heap();
 
+/// Gives the system back what is free: before a long time in which little is done.
+void give_back_heap();
+
 }  // namespace lustro::app

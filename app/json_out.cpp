@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "report.hpp"
 #include "scene/words.hpp"
 
 namespace lustro::app {
@@ -67,10 +66,6 @@ Json json_notes(const Notes& notes) {
     json.push_back({{"where", note.where}, {"message", note.message}});
   }
   return json;
-}
-
-Result<void> print_json(const Json& json) {
-  return print(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace lustro::app

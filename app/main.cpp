@@ -21,6 +21,7 @@ constexpr std::array kCommands{
     CommandMaker{"compare", make_compare},          // commands/compare.cpp      how two pictures differ
     CommandMaker{"convert", make_convert},          // commands/convert.cpp      a mesh or a scene to a mesh file of another format
     CommandMaker{"batch", make_batch},              // commands/batch.cpp        many models to a folder of pictures
+    CommandMaker{"lab", make_lab},                  // commands/lab.cpp          the page in the browser, and who serves it
     CommandMaker{"turntable", make_turntable},      // commands/turntable.cpp    a scene that turns, as an animation or frame by frame
     CommandMaker{"hash", make_hash},                // commands/hash.cpp         the hash of the float picture
     CommandMaker{"bench", make_bench},              // commands/bench.cpp        where the time of a picture goes

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <string_view>
 #include <system_error>
 
@@ -131,6 +132,16 @@ void draw_what_is_written(const std::vector<std::string>& outputs, const PngFlag
                           });
   options.store_color = !only_bytes;
   options.store_bytes = only_bytes;
+}
+
+std::vector<std::string> rewritable_outputs(const std::vector<std::string>& outputs) {
+  std::vector<std::string> files;
+  std::copy_if(outputs.begin(), outputs.end(), std::back_inserter(files), [](const std::string& output) {
+    std::error_code ignored;
+    const std::filesystem::file_status status = std::filesystem::status(output, ignored);
+    return output != kStdout && (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status));
+  });
+  return files;
 }
 
 Result<std::vector<std::string>> write_outputs(const std::vector<std::string>& outputs, const Rendering& rendering,

@@ -47,6 +47,10 @@ void add_png_flags(CLI::App& app, PngFlags& flags, const std::string& group);
 /// Asks for the picture as bytes where only such are written, which spares its floats.
 void draw_what_is_written(const std::vector<std::string>& outputs, const PngFlags& flags, RenderOptions& options);
 
+/// Those of the outputs that may be written again and again: files, and no pipes, devices or standard output, which would get one picture after
+/// another.
+[[nodiscard]] std::vector<std::string> rewritable_outputs(const std::vector<std::string>& outputs);
+
 /// Writes the picture and its layers: an .exr holds all layers, .png and .pfm take one file a layer. Returns the names of what was written.
 [[nodiscard]] Result<std::vector<std::string>> write_outputs(const std::vector<std::string>& outputs, const Rendering& rendering,
                                                              const WriteOptions& options);

@@ -28,6 +28,10 @@ template <class Range, class Predicate>
 [[nodiscard]] constexpr bool all_of(const Range& range, Predicate predicate) {
   return std::all_of(std::begin(range), std::end(range), std::move(predicate));
 }
+template <class Range, class Value>
+[[nodiscard]] constexpr auto find(Range&& range, const Value& value) {
+  return std::find(std::begin(range), std::end(range), value);
+}
 template <class Range, class Value, class Field>
 [[nodiscard]] constexpr auto find(Range&& range, const Value& value, Field field) {
   return std::find_if(std::begin(range), std::end(range), [&](const auto& element) { return element.*field == value; });

@@ -98,6 +98,28 @@ void say_what_was_written(const Session& session, const std::vector<std::string>
   }
 }
 
+/// While paths are followed their picture is written from time to time, as a whole, where the last one will be. Not to standard output or a
+/// pipe, not while there is nothing in it, and not where a hash says what may be written. What kept one from being written is in `failure`, in
+/// the words of writing.
+void write_previews(const RenderFlags& flags, const std::vector<std::string>& outputs, const WriteOptions& write, PathOptions& path,
+                    std::optional<Error>& failure) {
+  const std::vector<std::string> files = rewritable_outputs(outputs);
+  if (files.empty() || !(path.preview_seconds > 0) || !flags.expected_hash.empty()) {
+    return;
+  }
+  path.preview = [files, write, &failure](const Rendering& rendering) -> Result<void> {
+    if (rendering.stats.pixels_covered == 0) {
+      return {};
+    }
+    const Result<std::vector<std::string>> written = write_outputs(files, rendering, write);
+    if (!written) {
+      failure = written.error();
+      return tl::unexpected(written.error());
+    }
+    return {};
+  };
+}
+
 Result<ExitCode> run_render(const Session& session, const RenderFlags& flags) {
   if (const Result<void> checked = check_flags(session, flags); !checked) {
     return tl::unexpected(checked.error());
@@ -137,6 +159,9 @@ Result<ExitCode> run_render(const Session& session, const RenderFlags& flags) {
 
   draw_what_is_written(outputs, flags.png, *options);
   options->store_color = options->store_color || expected.has_value();
+  const WriteOptions write = *write_options(flags.png, scene.image.transfer, session.threads, scene.image.tone);
+  std::optional<Error> unwritten;
+  write_previews(flags, outputs, write, options->path, unwritten);
 
   const auto start = std::chrono::steady_clock::now();
   Notes notes = std::move(loaded->notes);
@@ -146,7 +171,7 @@ Result<ExitCode> run_render(const Session& session, const RenderFlags& flags) {
   }
   say_warnings(session, notes);
   if (!rendering) {
-    return tl::unexpected(rendering.error());
+    return tl::unexpected(unwritten ? *unwritten : rendering.error());
   }
   std::optional<std::uint64_t> hash;
   if (expected) {
@@ -159,8 +184,7 @@ Result<ExitCode> run_render(const Session& session, const RenderFlags& flags) {
     }
   }
 
-  const Result<std::vector<std::string>> written =
-      write_outputs(outputs, *rendering, *write_options(flags.png, scene.image.transfer, session.threads, scene.image.tone));
+  const Result<std::vector<std::string>> written = write_outputs(outputs, *rendering, write);
   if (!written) {
     return tl::unexpected(written.error());
   }
@@ -202,6 +226,7 @@ Command make_render(CommandLine& line, Session& session) {
   flags->scene_flags = add_scene_flags(*app);
   add_draw_flags(*app, flags->draw_flags, flags->scene_flags);
   add_resume_flag(*app, flags->draw_flags);
+  add_preview_flag(*app, flags->draw_flags);
   add_input_flags(*app, flags->input);
   return {app,
           {{"lustro render bunny.ply --material jade --view front -o jade.png", "a mesh in a classic material, from the front"},

@@ -1,6 +1,9 @@
 // `lustro render --engine path`: its flags, what it says, and how it fails.
 #include <gmock/gmock.h>
 
+#include <chrono>
+#include <future>
+
 #include "app/run_command.hpp"
 #include "app/scenes.hpp"
 #include "lustro/image.hpp"
@@ -37,6 +40,52 @@ TEST_F(PathCommand, SaysHowManyPathsItFollowedAndHowSureItIs) {
 TEST_F(PathCommand, StopsByTimeAndByError) {
   EXPECT_THAT(lustro({"render", "scene.json", "--engine", "path", "--seconds", "0.01", "-o", "out.png"}).err, HasSubstr(" paths a pixel"));
   EXPECT_THAT(lustro({"render", "scene.json", "--engine", "path", "--target-error", "0.5", "-o", "out.png"}).err, HasSubstr("16 paths a pixel"));
+}
+
+TEST_F(PathCommand, ThePictureIsThereLongBeforeTheEnd) {
+  const std::filesystem::path file = work() / "slow.png";
+  auto drawing = std::async(std::launch::async, [&] {
+    return lustro({"render", "scene.json", "--engine", "path", "--seconds", "2", "--preview", "0.05", "-o", "slow.png"});
+  });
+  while (!std::filesystem::exists(file) && drawing.wait_for(std::chrono::milliseconds(10)) != std::future_status::ready) {
+  }
+  ASSERT_NE(drawing.wait_for(std::chrono::seconds(0)), std::future_status::ready);
+  const lustro::Image early = picture("slow.png");  // whole, whenever it is read
+  const Outcome outcome = drawing.get();
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const lustro::Image last = picture("slow.png");
+  EXPECT_EQ(early.pixels.size(), last.pixels.size());
+  EXPECT_NE(lustro::hash_image(early), lustro::hash_image(last));
+
+  // It does not change what is drawn.
+  ASSERT_EQ(lustro({"render", "scene.json", "--engine", "path", "--spp", "40", "--preview", "0", "-o", "quiet.exr"}).code, 0);
+  ASSERT_EQ(lustro({"render", "scene.json", "--engine", "path", "--spp", "40", "--preview", "0.0001", "-o", "shown.exr"}).code, 0);
+  EXPECT_EQ(lustro::hash_image(picture("quiet.exr")), lustro::hash_image(picture("shown.exr")));
+  EXPECT_THAT(lustro({"render", "scene.json", "--preview", "1", "-o", "no.png"}).err, HasSubstr("--preview: belongs to --engine path"));
+}
+
+TEST_F(PathCommand, APreviewThatCannotBeWrittenFailsAsTheEndWould) {
+  const auto render = [&](const char* preview) {
+    return lustro({"render", "scene.json", "--engine", "path", "--spp", "40", "--preview", preview, "-o", "out.png", "--aov", "variance"});
+  };
+  std::filesystem::create_directories(work() / "out.variance.png");  // where the layer would go
+  const Outcome end = render("0");
+  const Outcome before = render("0.001");
+  EXPECT_THAT(end.err, HasSubstr("out.variance.png: cannot be written"));
+  EXPECT_EQ(before.code, end.code);
+  EXPECT_EQ(before.err, end.err);
+}
+
+TEST_F(PathCommand, APipeGetsTheLastPictureAlone) {
+  const auto bytes_through_a_pipe = [&](const std::string& preview) {
+    run_program({"sh", "-c",
+                 "mkfifo p.png; cat p.png > piped.png & " LUSTRO_COMMAND " render scene.json --engine path --spp 40 --preview " + preview +
+                     " -o p.png; wait; rm p.png"});
+    return file_text(work() / "piped.png");
+  };
+  const std::string end = bytes_through_a_pipe("0");
+  EXPECT_FALSE(end.empty());
+  EXPECT_EQ(bytes_through_a_pipe("0.0001"), end);
 }
 
 TEST_F(PathCommand, GoesOnFromWhatAFileKept) {

@@ -1,0 +1,21 @@
+// A script for the tests.
+console.log("the same words again, so that packing them pays");
+console.log("the same words again, so that packing them pays");
+console.log("the same words again, so that packing them pays");
+console.log("the same words again, so that packing them pays");
+console.log("the same words again, so that packing them pays");
+console.log("the same words again, so that packing them pays");
+console.log("the same words again, so that packing them pays");
+console.log("the same words again, so that packing them pays");
+console.log("the same words again, so that packing them pays");
+console.log("the same words again, so that packing them pays");
+console.log("the same words again, so that packing them pays");
+console.log("the same words again, so that packing them pays");
+console.log("the same words again, so that packing them pays");
+console.log("the same words again, so that packing them pays");
+console.log("the same words again, so that packing them pays");
+console.log("the same words again, so that packing them pays");
+console.log("the same words again, so that packing them pays");
+console.log("the same words again, so that packing them pays");
+console.log("the same words again, so that packing them pays");
+console.log("the same words again, so that packing them pays");
