@@ -1,0 +1,83 @@
+// Two settings of one scene, seen by the same camera: both pictures by the engine. They follow every picture of the stage, in its size.
+import { effect, signal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import type { Picture } from "../engine/types";
+import { comparedScenes, comparison } from "../state/compare";
+import { engine } from "../state/engine";
+import { isAborted, retract, sayError } from "../state/messages";
+import { picture } from "../state/picture";
+import { scene } from "../state/scene";
+import { isPictureFinal } from "../state/picture";
+import { BytesCanvas } from "./picture-canvas";
+import { Split } from "./split";
+import { sideLabel } from "./settings";
+
+const kAbout = "compare";
+const sides = signal<{ left: Picture; right: Picture } | undefined>(undefined);
+
+/** Draws both sides again after each picture of the stage; only the latest is of interest. */
+function follow(): () => void {
+  let isBusy = false;
+  let isStale = false;
+  const draw = async () => {
+    const current = engine.peek();
+    const scenes = comparedScenes.peek();
+    const shown = picture.peek();
+    if (!current || !scenes || !shown) {
+      return;
+    }
+    if (isBusy) {
+      isStale = true;
+      return;
+    }
+    isBusy = true;
+    do {
+      isStale = false;
+      const now = comparedScenes.peek();
+      const size = picture.peek();
+      if (!now || !size) {
+        break;
+      }
+      const request = { width: size.width, height: size.height, ...(isPictureFinal.peek() ? {} : { samples: 1 }) };
+      try {
+        const [left, right] = [
+          await current.render({ ...request, scene: now.left }, true),
+          await current.render({ ...request, scene: now.right }, true),
+        ];
+        sides.value = { left, right };
+        retract(kAbout);
+      } catch (problem) {
+        if (!isAborted(problem)) {
+          sayError(problem, kAbout);
+        }
+      }
+    } while (isStale);
+    isBusy = false;
+  };
+  return effect(() => {
+    void picture.value;
+    void comparedScenes.value;
+    void draw();
+  });
+}
+
+export function SettingsLayer() {
+  useEffect(follow, []);
+  const { value } = comparison;
+  if (value.kind !== "settings") {
+    return null;
+  }
+  const left = <BytesCanvas picture={sides.value?.left} testid="compare-left" />;
+  return (
+    <>
+      <div class="split-base">{left}</div>
+      <Split
+        leftLabel={sideLabel(scene.value, value.left, value.right)}
+        rightLabel={sideLabel(scene.value, value.right, value.left)}
+        left={<BytesCanvas picture={sides.value?.left} testid="compare-left-pane" />}
+      >
+        <BytesCanvas picture={sides.value?.right} testid="compare-right" />
+      </Split>
+    </>
+  );
+}

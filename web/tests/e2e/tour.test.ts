@@ -1,0 +1,222 @@
+// The guided tour in the browser, as a learner walks it: in English by the page's own means (clicks, keys, drags; wrong answers first), in
+// Italian by asking for each answer. Every control that a step speaks of must be there.
+import { beforeAll, describe, expect, test } from "vitest";
+import type { Page } from "playwright-core";
+import type { SceneDoc, Vec3 } from "../../src/engine/types";
+import { Bench, type BenchEngine } from "../../src/tour/bench";
+import { sceneOf, type Lesson, type Quantity, type Step, type Task } from "../../src/tour/lesson";
+import { lessons } from "../../src/tour/lessons";
+import { nodeEngine } from "../unit/node-engine";
+import { openLab, settled, useBrowser } from "./lab";
+import "./window";
+
+useBrowser();
+
+let engine: BenchEngine;
+beforeAll(async () => {
+  engine = await nodeEngine();
+});
+
+const card = (page: Page) => page.getByTestId("tour-card");
+const outcome = (page: Page) => page.locator('.tour-ask[data-outcome="right"], .tour-ask[data-outcome="shown"]');
+
+/** Clicks the place of the picture that shows a place of the world. */
+async function clickPlace(page: Page, at: Vec3): Promise<void> {
+  await settled(page);
+  const place = await page.evaluate((point) => {
+    const { eye, right, up, forward, pixelsPerUnit, width, height } = window.lustro.picture.value!.view;
+    const dot = (axis: readonly number[]) => axis.reduce((sum, a, i) => sum + a * (point[i]! - eye[i]!), 0);
+    const scale = pixelsPerUnit / dot(forward);
+    return { x: 0.5 + (dot(right) * scale) / width, y: 0.5 - (dot(up) * scale) / height };
+  }, at);
+  const box = (await page.getByTestId("stage").boundingBox())!;
+  await page.mouse.click(box.x + place.x * box.width, box.y + place.y * box.height);
+}
+
+/** What a learner does with the page's own controls, by lesson and step; elsewhere the scene is changed from the console. */
+const kByHand: Record<string, (page: Page) => Promise<void>> = {
+  "ambient 1": async (page) => {
+    await page.getByTestId("option-ambient").getByRole("textbox").first().fill("#bbbbbb");
+    await page.keyboard.press("Enter");
+  },
+  "lambert 4": (page) => drag(page, 220),
+  "phong 1": async (page) => page.getByTestId("option-shading-lighting").getByText("Phong", { exact: true }).click(),
+  "phong 3": async (page) => {
+    await page.getByTestId("stage").focus();
+    for (let i = 0; i < 16; ++i) {
+      await page.keyboard.press("ArrowLeft");
+    }
+  },
+  "phong 4": async (page) => page.getByTestId("material-gold").click(),
+  "exponent 1": (page) => type(page, "option-materials-x-shininess", "80"),
+  "exponent 3": async (page) => page.getByTestId("option-shading-normalized-input").click(),
+  "exponent 4": (page) => type(page, "option-materials-x-shininess", "0"),
+  "blinn-phong 1": async (page) => page.getByTestId("option-shading-lighting").getByText("Blinn-Phong").click(),
+  "interpolation 2": async (page) => page.getByTestId("option-shading-interpolation").getByText("Gouraud").click(),
+  "interpolation 3": (page) => type(page, "object-segments", "128"),
+  "interpolation 4": async (page) => page.getByTestId("option-shading-interpolation").getByText("Phong").click(),
+  "edges 3": (page) => type(page, "option-shading-crease", "60"),
+  "edges 4": (page) => type(page, "option-shading-crease", "40"),
+  "lights 3": (page) => type(page, "option-lights-cutoff", "32"),
+};
+
+async function type(page: Page, testid: string, text: string): Promise<void> {
+  const field = page.getByTestId(testid).getByTestId(`${testid}-input`);
+  await field.fill(text);
+  await field.press("Enter");
+}
+
+async function drag(page: Page, by: number): Promise<void> {
+  const box = (await page.getByTestId("stage").boundingBox())!;
+  await page.mouse.move(box.x + box.width / 2 - by / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2 + by / 2, box.y + box.height / 2, { steps: 5 });
+  await page.mouse.up();
+}
+
+async function doTask(page: Page, name: string, ask: Task, start: SceneDoc): Promise<void> {
+  const bench = new Bench(engine, start);
+  const byHand = kByHand[name];
+  if (byHand) {
+    await byHand(page);
+  } else if (ask.solution.kind === "pick") {
+    await clickPlace(page, await ask.solution.at(bench));
+  } else {
+    const { changes } = ask.solution;
+    for (const [path, value] of typeof changes === "function" ? await changes(bench) : changes) {
+      await page.evaluate(([place, next]) => window.lustro.update(place as string, next), [path, value] as const);
+    }
+  }
+}
+
+async function answerNumber(page: Page, ask: Quantity, start: SceneDoc): Promise<void> {
+  const answer = await ask.answer(new Bench(engine, start));
+  const said = page.getByTestId("tour-feedback");
+  for (const wrong of ["some", String(Math.round(answer * 3)), "0.001"]) {
+    await page.getByTestId("tour-answer").fill(wrong);
+    await page.getByTestId("tour-check").click();
+    await expect.poll(() => said.getAttribute("data-kind")).toBe("wrong");
+    expect((await said.innerText()).length).toBeGreaterThan(5);
+  }
+  await page.getByTestId("tour-answer").fill(String(Math.round(answer)));
+  await page.getByTestId("tour-answer").press("Enter");
+}
+
+async function chooseOption(page: Page, step: Step, right: number): Promise<void> {
+  const { ask } = step;
+  for (let option = 0; ask?.kind === "choice" && option < ask.options.length; ++option) {
+    if (option !== right) {
+      await page.getByTestId(`tour-option-${option}`).click();
+      await expect.poll(() => page.getByTestId(`tour-option-${option}`).getAttribute("data-state")).toBe("wrong");
+      expect((await page.getByTestId("tour-feedback").innerText()).length).toBeGreaterThan(5);
+    }
+  }
+  await page.getByTestId(`tour-option-${right}`).click();
+}
+
+async function beginLesson(page: Page, lesson: Lesson): Promise<void> {
+  await page.getByTestId("tour").click();
+  await page.getByTestId(`tour-lesson-${lesson.id}`).click();
+  await card(page).waitFor();
+}
+
+/** What holds of every step, in every language. */
+async function lookAt(page: Page, step: Step, language: "en" | "it"): Promise<void> {
+  const heading = card(page).getByRole("heading", { name: step.title[language] });
+  await heading.waitFor();
+  await expect
+    .poll(() => heading.evaluate((element) => element === document.activeElement), { message: "the step has the focus" })
+    .toBe(true);
+  if (step.control) {
+    await page.locator(`[data-testid="${step.control.testid}"][data-tour-target]`).waitFor({ timeout: 5000 });
+  }
+  for (const { letter } of step.marks ?? []) {
+    await page.getByTestId(`tour-pin-${letter}`).waitFor({ state: "attached" });
+  }
+  expect(await card(page).locator(".katex-error").count()).toBe(0);
+  expect(await card(page).innerText()).not.toMatch(/[$`]|\*\*|undefined/);
+}
+
+describe("eight lessons by hand", () => {
+  test.each(lessons.map((lesson) => [lesson.id, lesson] as const))("%s", async (_, lesson) => {
+    const lab = await openLab();
+    const { page } = lab;
+    const before = await page.evaluate(() => JSON.stringify(window.lustro.scene.value));
+    await beginLesson(page, lesson);
+    for (const [index, step] of lesson.steps.entries()) {
+      const start = sceneOf(lesson, index);
+      await lookAt(page, step, "en");
+      expect(await outcome(page).count(), "nothing is answered yet").toBe(0);
+      const { ask } = step;
+      if (ask?.kind === "task") {
+        await doTask(page, `${lesson.id} ${index + 1}`, ask, start);
+      } else if (ask?.kind === "choice") {
+        await chooseOption(page, step, await ask.answer(new Bench(engine, start)));
+      } else if (ask) {
+        await answerNumber(page, ask, start);
+      }
+      await page
+        .locator('.tour-ask[data-outcome="right"]')
+        .waitFor({ timeout: 10_000 })
+        .catch((problem: unknown) => {
+          throw new Error(`step ${index + 1} is not solved: ${String(problem)}`);
+        });
+      if (index + 1 < lesson.steps.length) {
+        await page.getByTestId("tour-next").click();
+      }
+    }
+    await page.getByTestId("tour-leave").click();
+    await card(page).waitFor({ state: "detached" });
+    expect(await page.evaluate(() => JSON.stringify(window.lustro.scene.value))).toBe(before);
+    await page.getByTestId("tour").click();
+    expect(await page.getByTestId(`tour-lesson-${lesson.id}`).getAttribute("data-done")).toBe("true");
+    await lab.close();
+  });
+});
+
+test("eight lessons in Italian, shown by the tour itself", async () => {
+  const lab = await openLab({ locale: "it-IT", isolated: false });
+  const { page } = lab;
+  await beginLesson(page, lessons[0]!);
+  for (const [number, lesson] of lessons.entries()) {
+    for (const [index, step] of lesson.steps.entries()) {
+      await lookAt(page, step, "it");
+      const { ask } = step;
+      if (ask?.kind === "choice") {
+        await chooseOption(page, step, await ask.answer(new Bench(engine, sceneOf(lesson, index))));
+      } else if (ask) {
+        await page.getByTestId("tour-hint").click();
+        await settled(page);
+        await page.getByTestId("tour-show").click();
+      }
+      await outcome(page).waitFor({ timeout: 10_000 });
+      expect(await page.getByTestId("tour-feedback").innerText()).toContain(
+        ask?.kind === "choice" ? "Giusto" : ask?.kind === "number" ? "La risposta" : "Ecco come",
+      );
+      const isLast = index + 1 === lesson.steps.length;
+      if (!isLast) {
+        await page.getByTestId("tour-next").click();
+      } else if (number + 1 < lessons.length) {
+        await page.getByTestId("tour-next-lesson").click();
+      }
+    }
+  }
+  await page.getByTestId("tour-all").click();
+  expect(await page.locator('[data-done="true"]').count()).toBe(8);
+  await lab.close();
+}, 120_000);
+
+test("progress is kept, and the lesson can be left at any step", async () => {
+  const lab = await openLab();
+  const { page } = lab;
+  await beginLesson(page, lessons[1]!);
+  await page.getByTestId("tour-next").click();
+  await page.getByTestId("tour-next").click();
+  await page.reload();
+  await page.getByTestId("tour").click();
+  await page.getByTestId("tour-lesson-lambert").click();
+  await card(page).getByRole("heading", { name: lessons[1]!.steps[2]!.title.en }).waitFor();
+  await page.getByTestId("language").click();
+  await card(page).getByRole("heading", { name: lessons[1]!.steps[2]!.title.it }).waitFor();
+  await lab.close();
+});
