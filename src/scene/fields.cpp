@@ -370,22 +370,16 @@ std::string outside_message(const Range& range, double value) {
 
 // --- fields ------------------------------------------------------------------------------------------------------------------
 
-template <class T>
-ValueKind kind_of(const Field<T>& field) {
-  T object;
-  return visit_value(object, field, []<class V>(V&&) { return kind_of_type<std::remove_cvref_t<V>>(); });
+ValueKind kind_of(const ValueRef& value) {
+  return visit_value(value, []<class V>(V&&) { return kind_of_type<std::remove_cvref_t<V>>(); });
 }
 
-template <class T>
-bool is_optional(const Field<T>& field) {
-  T object;
-  return visit_value(object, field, []<class V>(V&&) { return Optional<std::remove_cvref_t<V>>::kIs; });
+bool is_optional(const ValueRef& value) {
+  return visit_value(value, []<class V>(V&&) { return Optional<std::remove_cvref_t<V>>::kIs; });
 }
 
-template <class T>
-std::span<const Word> words_of_field(const Field<T>& field) {
-  T object;
-  return visit_value(object, field, []<class V>(V&&) -> std::span<const Word> {
+std::span<const Word> words_of_value(const ValueRef& value) {
+  return visit_value(value, []<class V>(V&&) -> std::span<const Word> {
     using Value = typename Optional<std::remove_cvref_t<V>>::Value;
     if constexpr (kIsWord<Value>) {
       return words_of<Value>();
@@ -399,53 +393,17 @@ std::span<const Word> words_of_field(const Field<T>& field) {
   });
 }
 
-template <class T>
-std::string value_text(const T& object, const Field<T>& field) {
-  T copy = object;
-  return visit_value(copy, field, [](const auto& value) { return ToText{}(value); });
+std::string value_text(const ValueRef& value) {
+  return visit_value(value, [](const auto& stated) { return ToText{}(stated); });
 }
 
-template <class T>
-std::string default_text(const Field<T>& field) {
-  return field.absent.empty() ? value_text(T{}, field) : std::string(field.absent);
-}
-
-template <class T>
-Result<void> set_from_text(T& object, const Field<T>& field, std::string_view text) {
-  auto done = visit_value(object, field, [&](auto&& value) { return FromText{text, field.range}(value); });
+Result<void> set_from_text(const ValueRef& value, const Range& range, std::string_view where, std::string_view text) {
+  auto done = visit_value(value, FromText{text, range});
   if (!done) {
-    done.error().where = field.flag.empty() ? field.key : field.flag;
+    done.error().where = where;
   }
   return done;
 }
-
-// clang-format off
-#define LUSTRO_FIELDS_OF(T) \
-  template ValueKind kind_of(const Field<T>&); \
-  template bool is_optional(const Field<T>&); \
-  template std::span<const Word> words_of_field(const Field<T>&); \
-  template std::string value_text(const T&, const Field<T>&); \
-  template std::string default_text(const Field<T>&); \
-  template Result<void> set_from_text(T&, const Field<T>&, std::string_view);
-LUSTRO_FIELDS_OF(ImageSettings)
-LUSTRO_FIELDS_OF(Tone)
-LUSTRO_FIELDS_OF(Camera)
-LUSTRO_FIELDS_OF(Shading)
-LUSTRO_FIELDS_OF(Light)
-LUSTRO_FIELDS_OF(Attenuation)
-LUSTRO_FIELDS_OF(Fog)
-LUSTRO_FIELDS_OF(Environment)
-LUSTRO_FIELDS_OF(ShadowSettings)
-LUSTRO_FIELDS_OF(OcclusionSettings)
-LUSTRO_FIELDS_OF(GroundSettings)
-LUSTRO_FIELDS_OF(Material)
-LUSTRO_FIELDS_OF(StatedTextures)
-LUSTRO_FIELDS_OF(StatedTexture)
-LUSTRO_FIELDS_OF(StatedReflection)
-LUSTRO_FIELDS_OF(Object)
-LUSTRO_FIELDS_OF(Scene)
-#undef LUSTRO_FIELDS_OF
-// clang-format on
 
 std::vector<FieldGroup> field_groups() {
   return {

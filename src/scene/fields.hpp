@@ -69,31 +69,43 @@ struct Range {
 template <class V>
 inline constexpr bool kIsToggle = std::is_same_v<V, ShadowSettings> || std::is_same_v<V, OcclusionSettings> || std::is_same_v<V, GroundSettings>;
 
-/// A colour and the alpha that its fourth number states.
-template <class T>
-struct ColorAlpha {
-  Color T::*color;
-  float T::*alpha;
+/// A colour together with the alpha of its fourth number.
+struct ColorAlphaRef {
+  Color& color;
+  float& alpha;
 };
 
-/// Where a struct keeps the value. monostate: the file has the key, the struct does not (`materials`).
+/// A value in some struct, whatever its type. monostate: the file has the key, no struct does (`materials`).
+using ValueRef =
+    std::variant<bool*, int*, float*, double*, std::optional<double>*, Vec3d*, std::optional<Vec3d>*, Mat4*, Color*, ColorAlphaRef, std::string*,
+                 TermSet*, Transfer*, Projection*, ViewPreset*, Lighting*, std::optional<Lighting>*, Interpolation*, NormalInterpolation*,
+                 VertexNormals*, Culling*, std::optional<Culling>*, LightType*, SpotFade*, FogMode*, ImageSettings*, Camera*, Shading*,
+                 Attenuation*, std::optional<Fog>*, std::optional<Environment>*, Tone*, ToneOperator*, std::optional<ShadowSettings>*,
+                 std::optional<OcclusionSettings>*, std::optional<GroundSettings>*, std::optional<int>*, std::optional<std::vector<Light>>*,
+                 std::vector<Object>*, std::optional<Material>*, AlphaMode*, StatedTextures*, std::optional<StatedTexture>*,
+                 std::optional<StatedReflection>*, ReflectionShape*, WrapPair*, TextureFilter*, MipFilter*, TextureChannel*, Vec2f*, Vec3f*,
+                 std::optional<std::array<float, 6>>*, std::monostate>;
+
+/// Where a struct keeps a value: one of these three stands in its table.
+template <auto kMember, class T>
+ValueRef at(T& object) {
+  return &(object.*kMember);
+}
+template <auto kColor, auto kAlpha, class T>
+ValueRef color_at(T& object) {
+  return ColorAlphaRef{object.*kColor, object.*kAlpha};
+}
 template <class T>
-using Member = std::variant<
-    bool T::*, int T::*, float T::*, double T::*, std::optional<double> T::*, Vec3d T::*, std::optional<Vec3d> T::*, Mat4 T::*, Color T::*,
-    ColorAlpha<T>, std::string T::*, TermSet T::*, Transfer T::*, Projection T::*, ViewPreset T::*, Lighting T::*, std::optional<Lighting> T::*,
-    Interpolation T::*, NormalInterpolation T::*, VertexNormals T::*, Culling T::*, std::optional<Culling> T::*, LightType T::*, SpotFade T::*,
-    FogMode T::*, ImageSettings T::*, Camera T::*, Shading T::*, Attenuation T::*, std::optional<Fog> T::*, std::optional<Environment> T::*,
-    Tone T::*, ToneOperator T::*, std::optional<ShadowSettings> T::*, std::optional<OcclusionSettings> T::*, std::optional<GroundSettings> T::*,
-    std::optional<int> T::*, std::optional<std::vector<Light>> T::*, std::vector<Object> T::*, std::optional<Material> T::*, AlphaMode T::*,
-    StatedTextures T::*, std::optional<StatedTexture> T::*, std::optional<StatedReflection> T::*, ReflectionShape T::*, WrapPair T::*,
-    TextureFilter T::*, MipFilter T::*, TextureChannel T::*, Vec2f T::*, Vec3f T::*, std::optional<std::array<float, 6>> T::*, std::monostate>;
+ValueRef nowhere(T& /*object*/) {
+  return std::monostate{};
+}
 
 /// One key of the struct T.
 template <class T>
 struct Field {
   std::string_view key;   ///< as in the scene file
   std::string_view flag;  ///< of the command, `--samples`; empty where there is none
-  Member<T> member;
+  ValueRef (*value)(T& object);
   std::string_view help;       ///< one sentence without its full stop
   std::string_view unit = {};  ///< `degrees`, `pixels`, ...
   Range range = {};
@@ -109,54 +121,71 @@ template <class T>
 /// as in MTL files.
 [[nodiscard]] Material material_with(StatedTextures textures);
 
-/// A colour together with the alpha of its fourth number.
-struct ColorAlphaRef {
-  Color& color;
-  float& alpha;
-};
-
 /// Calls f with a reference to the value: `Transfer&`, `double&`, ..., ColorAlphaRef, or std::monostate.
-template <class T, class F>
-decltype(auto) visit_value(T& object, const Field<T>& field, F&& f) {
+template <class F>
+decltype(auto) visit_value(const ValueRef& value, F&& f) {
   return std::visit(
-      [&](const auto& member) -> decltype(auto) {
-        using M = std::remove_cvref_t<decltype(member)>;
-        if constexpr (std::is_same_v<M, std::monostate>) {
-          return f(std::monostate{});
-        } else if constexpr (std::is_same_v<M, ColorAlpha<T>>) {
-          return f(ColorAlphaRef{object.*member.color, object.*member.alpha});
+      [&]<class R>(const R& ref) -> decltype(auto) {
+        if constexpr (std::is_pointer_v<R>) {
+          return f(*ref);
         } else {
-          return f(object.*member);
+          return f(ref);
         }
       },
-      field.member);
+      value);
 }
 
+[[nodiscard]] ValueKind kind_of(const ValueRef& value);
+
 template <class T>
-[[nodiscard]] ValueKind kind_of(const Field<T>& field);
+[[nodiscard]] ValueKind kind_of(const Field<T>& field) {
+  T object;
+  return kind_of(field.value(object));
+}
 
 /// Whether "not stated" is a value of its own (std::optional).
+[[nodiscard]] bool is_optional(const ValueRef& value);
+
 template <class T>
-[[nodiscard]] bool is_optional(const Field<T>& field);
+[[nodiscard]] bool is_optional(const Field<T>& field) {
+  T object;
+  return is_optional(field.value(object));
+}
 
 /// The words that the value may be; empty where it is no word and no list of words.
+[[nodiscard]] std::span<const Word> words_of_value(const ValueRef& value);
+
 template <class T>
-[[nodiscard]] std::span<const Word> words_of_field(const Field<T>& field);
+[[nodiscard]] std::span<const Word> words_of_field(const Field<T>& field) {
+  T object;
+  return words_of_value(field.value(object));
+}
 
 /// The value as set_from_text() reads it; `none` where nothing is stated.
+[[nodiscard]] std::string value_text(const ValueRef& value);
+
 template <class T>
-[[nodiscard]] std::string value_text(const T& object, const Field<T>& field);
+[[nodiscard]] std::string value_text(const T& object, const Field<T>& field) {
+  T copy = object;
+  return value_text(field.value(copy));
+}
 
 /// What holds where the key is not stated: Field::absent, or the struct's default as text.
 template <class T>
-[[nodiscard]] std::string default_text(const Field<T>& field);
+[[nodiscard]] std::string default_text(const Field<T>& field) {
+  return field.absent.empty() ? value_text(T{}, field) : std::string(field.absent);
+}
 
-/// Sets the member from a command line's text: `true`, `4`, `0.1`, `1,2,3`, `#ff8800`, `blinn-phong`, `ambient,diffuse`. A switch without text
+/// Sets the value from a command line's text: `true`, `4`, `0.1`, `1,2,3`, `#ff8800`, `blinn-phong`, `ambient,diffuse`. A switch without text
 /// is true.
 ///
-/// errors  usage, with what was found and expected; `where` is the flag (or the key). The object is unchanged then
+/// errors  usage, with what was found and expected; `where` is the flag (or the key). The value is unchanged then
+[[nodiscard]] Result<void> set_from_text(const ValueRef& value, const Range& range, std::string_view where, std::string_view text);
+
 template <class T>
-[[nodiscard]] Result<void> set_from_text(T& object, const Field<T>& field, std::string_view text);
+[[nodiscard]] Result<void> set_from_text(T& object, const Field<T>& field, std::string_view text) {
+  return set_from_text(field.value(object), field.range, field.flag.empty() ? field.key : field.flag, text);
+}
 
 /// A field without its struct, for help, man page, completions and documentation.
 struct FieldInfo {

@@ -452,7 +452,7 @@ Result<void> read_table(const json& value, T& object, const JsonPath& path, cons
       continue;
     }
     const JsonPath place = path / field.key;
-    if (auto done = visit_value(object, field, [&](auto&& to) { return FromJson{*found, field.range, place, materials}(to); }); !done) {
+    if (auto done = visit_value(field.value(object), FromJson{*found, field.range, place, materials}); !done) {
       return done;
     }
   }

@@ -172,10 +172,14 @@ bool is_always_stated(std::string_view key) {
   return key == "type" || key == "mode" || key == "mesh" || key == "objects";
 }
 
+std::string value_json(const ValueRef& value, int indent, const SharedMaterials& shared) {
+  return visit_value(value, [&](const auto& stated) { return ToJson{indent, shared}(stated); });
+}
+
 template <class T>
 std::string field_json(const T& object, const Field<T>& field, int indent, const SharedMaterials& shared) {
   T copy = object;
-  return visit_value(copy, field, [&](const auto& value) { return ToJson{indent, shared}(value); });
+  return value_json(field.value(copy), indent, shared);
 }
 
 /// What a table holds that states nothing, or nothing but its textures.

@@ -62,22 +62,26 @@ struct SameValue {
   static bool bits(const T& a, const T& b) { return difference(a, b, "").empty(); }
 };
 
+inline bool same_value(const ValueRef& a, const ValueRef& b) {
+  return std::visit(
+      [&]<class R>(const R& x) {
+        const R* y = std::get_if<R>(&b);
+        if constexpr (std::is_pointer_v<R>) {
+          return y != nullptr && SameValue::bits(*x, **y);
+        } else {
+          return y != nullptr && SameValue::bits(x, *y);
+        }
+      },
+      a);
+}
+
 /// The path of the first member that differs; empty where all are the same.
 template <class T>
 std::string difference(const T& a, const T& b, const std::string& path) {
   T left = a;
   T right = b;
   for (const Field<T>& field : fields<T>()) {
-    const bool same = visit_value(left, field, [&](auto&& x) {
-      return visit_value(right, field, [&](auto&& y) {
-        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(x)>, std::remove_cvref_t<decltype(y)>>) {
-          return SameValue::bits(x, y);
-        } else {
-          return false;
-        }
-      });
-    });
-    if (!same) {
+    if (!same_value(field.value(left), field.value(right))) {
       return path + "." + std::string(field.key);
     }
   }
