@@ -35,7 +35,7 @@ Scene random_scene(unsigned seed) {
     scene.lights = {Light{.direction = {number(), -1, number()}, .ambient = {{0.1F, 0.2F, 0}}},
                     Light{.type = LightType::point, .position = {2 * number(), 2, 2 * number()}, .shadow = false}};
   }
-  scene.occlusion = OcclusionSettings{.directions = 4 + static_cast<int>(random() % 20), .size = 16 << random() % 4};
+  scene.occlusion = OcclusionSettings{.directions = 4 + static_cast<int>(random() % 20), .size = 16 << random() % 3};
   if (seed % 2 == 0) {
     scene.occlusion->radius = 0.1 + number() + 1;
   }

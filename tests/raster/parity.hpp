@@ -75,10 +75,11 @@ inline Result<Rendering> drawn(const Scene& scene, const RenderOptions& how, boo
 // The scene by the reference, by every row, and by the widest row on several numbers of threads.
 inline void expect_parity(const Scene& scene, const std::string& name) {
   const Result<Rendering> reference = drawn(scene, {.engine = Engine::reference});
+  const Result<Rendering> plain_reference = drawn(scene, {.engine = Engine::reference}, false);
   for (const Target target : available_targets()) {
     const auto found = difference(reference, drawn(scene, {.threads = 1, .target = target}));
     EXPECT_FALSE(found) << name << ", target " << target_name(target) << ": " << *found;
-    const auto plain = difference(drawn(scene, {.engine = Engine::reference}, false), drawn(scene, {.threads = 2, .target = target}, false));
+    const auto plain = difference(plain_reference, drawn(scene, {.threads = 2, .target = target}, false));
     EXPECT_FALSE(plain) << name << ", target " << target_name(target) << " without layers: " << *plain;
   }
   for (const int threads : {2, 3, 7}) {
