@@ -11,6 +11,7 @@ import {
   backToRig,
   directionOf,
   duplicateLight,
+  fadingByPower,
   hasDirection,
   hasPosition,
   isArea,
@@ -104,13 +105,14 @@ function Chosen({ index, light }: { index: number; light: LightEntry }) {
   const fades = type === "point" || isSpot;
   const field = (key: string) => <OptionField key={key} name={`lights[].${key}`} path={["lights", index, ...key.split(".")]} />;
   const isAttached = attachedLights.value.includes(index);
-  const usesPower = at(["lights", index, "attenuation", "falloff"]).value !== undefined;
+  const attenuation = ["lights", index, "attenuation"] as const;
+  const usesPower = at([...attenuation, "falloff"]).value !== undefined;
   return (
     <Group title={t.chosen(lightLabel(light, index))} testid="light">
       <OptionField
         name="lights[].type"
         path={["lights", index, "type"]}
-        onValue={(value) => setLightType(index, (value as LightType | undefined) ?? "directional")}
+        onValue={(value) => setLightType(index, value as LightType | undefined)}
       />
       {field("name")}
       <Row id="light-fixed" label={t.fixed} help={t.fixedHelp} isGroup testid="light-fixed">
@@ -163,7 +165,11 @@ function Chosen({ index, light }: { index: number; light: LightEntry }) {
               {field("attenuation.quadratic")}
             </>
           )}
-          {field("attenuation.falloff")}
+          <OptionField
+            name="lights[].attenuation.falloff"
+            path={[...attenuation, "falloff"]}
+            onValue={(value) => updateAll(fadingByPower(index, value))}
+          />
           {field("attenuation.range")}
           {field("attenuation.unclamped")}
         </>

@@ -3,6 +3,7 @@ import { computed, type ReadonlySignal } from "@preact/signals";
 import type { LightInfo, Vec3, ViewInfo } from "../engine/types";
 import { add, length, rounded, scaled, subtract } from "../stage/vector";
 import { lightsShown, view } from "./picture";
+import type { Path } from "./path";
 import { at, attachedLights, editLab, scene } from "./scene";
 import { selectedLight } from "./selection";
 
@@ -120,10 +121,21 @@ export function attachLight(index: number, isAttached: boolean): void {
   }));
 }
 
-/** Another kind, with what the new one needs. */
-export function setLightType(index: number, type: LightType): void {
-  change((list, attached) => ({
-    list: list.map((light, i) => (i === index ? { ...newLight(type, view.peek()), ...light, type } : light)),
-    attached,
-  }));
+/** Another kind, with what the new one needs; undefined: the default one. */
+export function setLightType(index: number, type: LightType | undefined): void {
+  const changed = (light: LightEntry): LightEntry => {
+    const { type: _type, ...others } = light;
+    const { type: kind, ...needed } = newLight(type ?? typeOf(undefined), view.peek());
+    return { ...(type === undefined ? {} : { type: kind }), ...needed, ...others };
+  };
+  change((list, attached) => ({ list: list.map((light, i) => (i === index ? changed(light) : light)), attached }));
+}
+
+/** What states that a light fades by a power of the distance: the three factors have no place beside it. */
+export function fadingByPower(index: number, power: unknown): [Path, unknown][] {
+  const others = power === undefined ? [] : ["constant", "linear", "quadratic"];
+  return [
+    ...others.map((key): [Path, unknown] => [["lights", index, "attenuation", key], undefined]),
+    [["lights", index, "attenuation", "falloff"], power],
+  ];
 }

@@ -1,0 +1,6 @@
+// Materials, textures and where objects stand: every control of the panels, used as a person does.
+import { kBenches } from "./controls";
+import { testBenches, useLab } from "./controls-suite";
+
+const lab = useLab();
+testBenches(lab, kBenches.materials);
