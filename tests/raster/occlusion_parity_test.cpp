@@ -35,7 +35,7 @@ Scene random_scene(unsigned seed) {
     scene.lights = {Light{.direction = {number(), -1, number()}, .ambient = {{0.1F, 0.2F, 0}}},
                     Light{.type = LightType::point, .position = {2 * number(), 2, 2 * number()}, .shadow = false}};
   }
-  scene.occlusion = OcclusionSettings{.directions = 4 + static_cast<int>(random() % 20), .size = 16 << random() % 3};
+  scene.occlusion = OcclusionSettings{.directions = 4 + static_cast<int>(random() % 20), .size = 16 << random() % 4};
   if (seed % 2 == 0) {
     scene.occlusion->radius = 0.1 + number() + 1;
   }
@@ -44,6 +44,7 @@ Scene random_scene(unsigned seed) {
   }
   if (seed % 4 != 1) {
     scene.ground.emplace();
+    scene.shadow = ShadowSettings{.size = 256};  // what the floor shows; large maps have tests of their own
   }
   if (seed % 5 == 0) {
     scene.environment = Environment{.color = {{0.3F, 0.5F, 0.4F}}, .visible = seed % 2 == 0};
