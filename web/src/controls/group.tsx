@@ -1,5 +1,6 @@
 // A titled part of a panel, which may be folded away.
 import type { ComponentChildren } from "preact";
+import { useRef } from "preact/hooks";
 
 export function Group({
   title,
@@ -14,6 +15,7 @@ export function Group({
   isFoldable?: boolean;
   testid?: string;
 }) {
+  const wasOpen = useRef(false);
   if (!isFoldable) {
     return (
       <section class="group" data-testid={testid}>
@@ -22,8 +24,10 @@ export function Group({
       </section>
     );
   }
+  // What has been opened is not shut under the reader's hands.
+  wasOpen.current ||= isOpen;
   return (
-    <details class="group" open={isOpen} data-testid={testid}>
+    <details class="group" open={wasOpen.current} data-testid={testid}>
       <summary class="group-title">{title}</summary>
       {children}
     </details>

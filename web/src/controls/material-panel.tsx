@@ -118,6 +118,7 @@ export function MaterialPanel() {
       </Group>
       <Group title={t.place} isFoldable isOpen={false} testid="object-place">
         <OptionField name="objects[].name" path={["objects", index, "name"]} />
+        {field("name")}
         <PlacementFields index={index} />
         <OptionField name="objects[].matrix" path={["objects", index, "matrix"]} />
       </Group>

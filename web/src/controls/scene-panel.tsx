@@ -4,7 +4,7 @@ import { engineInfo } from "../state/engine";
 import { meshes } from "../state/meshes";
 import { readable } from "../state/messages";
 import { fullSize, picture } from "../state/picture";
-import { at, scene, update, updateAll } from "../state/scene";
+import { at, scene, updateAll } from "../state/scene";
 import { readColor, writeLinear, type Rgb } from "./color";
 import { Group } from "./group";
 import { OptionField, transferIsSrgb } from "./option-field";
@@ -18,6 +18,8 @@ import { ToggleGroup } from "./toggle-group";
 const width = at<number>("image.width");
 const height = at<number>("image.height");
 const fogMode = at<string>("fog.mode");
+const skyPicture = at<string>("environment.file");
+const kSkyColor = [0.2, 0.22, 0.26];
 
 function PictureSize() {
   const t = words.value.scenePanel;
@@ -65,7 +67,7 @@ function PictureSize() {
 function EnvironmentFile() {
   const t = words.value.scenePanel;
   const pictures = openedPictures();
-  const chosen = at<string>("environment.file").value ?? "";
+  const chosen = skyPicture.value ?? "";
   if (pictures.length === 0 && chosen === "") {
     return null;
   }
@@ -76,7 +78,13 @@ function EnvironmentFile() {
         id="environment-file"
         options={[{ value: "", label: t.none }, ...all.map((path) => ({ value: path, label: path }))]}
         value={chosen}
-        onValue={(path) => update("environment.file", path === "" ? undefined : path)}
+        // A sky has a picture or a colour: a scene that states both is refused.
+        onValue={(path) =>
+          updateAll([
+            ["environment.file", path === "" ? undefined : path],
+            ["environment.color", path === "" ? kSkyColor : undefined],
+          ])
+        }
         testid="environment-file-input"
       />
     </Row>
@@ -169,9 +177,9 @@ export function ScenePanel() {
         )}
         <OptionField name="fog.color" />
       </ToggleGroup>
-      <ToggleGroup name="environment" onValue={() => ({ color: [0.2, 0.22, 0.26] })}>
+      <ToggleGroup name="environment" onValue={() => ({ color: kSkyColor })}>
         <EnvironmentFile />
-        <OptionField name="environment.color" />
+        {skyPicture.value === undefined ? <OptionField name="environment.color" /> : null}
         <OptionField name="environment.gain" />
         <OptionField name="environment.rotation" />
         <OptionField name="environment.visible" />

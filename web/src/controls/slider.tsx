@@ -14,6 +14,7 @@ export interface SliderProps {
 }
 
 const kSteps = 1000;
+const kArrows: Record<string, number> = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
 
 /** Three or four digits are what a slider can mean. */
 function readable(value: number, { from, to, scale }: SliderRange): number {
@@ -31,6 +32,17 @@ export function Slider({ label, value, range, isInteger, isAllowed, onValue, tes
     end.current?.();
     end.current = undefined;
   };
+  // Of whole numbers the next one may be many steps of the slider away: arrows would never reach it.
+  const onKeyDown = (event: KeyboardEvent) => {
+    const next = value + (kArrows[event.key] ?? 0);
+    if (isInteger && next !== value) {
+      event.preventDefault();
+      if (next >= range.from && next <= range.to && isAllowed(next)) {
+        pause.current();
+        onValue(next);
+      }
+    }
+  };
   return (
     <input
       class="slider"
@@ -47,6 +59,7 @@ export function Slider({ label, value, range, isInteger, isAllowed, onValue, tes
       onPointerUp={finish}
       onPointerCancel={finish}
       onBlur={finish}
+      onKeyDown={onKeyDown}
       onInput={(event) => {
         pause.current();
         const next = readable(fromShare(range, Number(event.currentTarget.value) / kSteps), range);

@@ -37,6 +37,37 @@ export async function unfold(page: Page): Promise<void> {
   }
 }
 
+/** From now on the page remembers which widgets were there in a part of its panels, and which of them were used. */
+export async function watchWidgets(page: Page, part: string): Promise<void> {
+  await page.evaluate((within) => {
+    const there = new Set<string>();
+    const used = new Set<string>();
+    const nameOf = (widget: Element) => widget.getAttribute("data-testid") ?? widget.outerHTML.slice(0, 160);
+    const panel = document.querySelector(".panel")!;
+    const look = () =>
+      panel.querySelectorAll(`${within} :is(input, select, button, summary)`).forEach((widget) => there.add(nameOf(widget)));
+    new MutationObserver(look).observe(panel, { subtree: true, childList: true });
+    look();
+    for (const event of ["click", "input", "change", "keydown"]) {
+      document.addEventListener(
+        event,
+        ({ target }) => {
+          const widget = target instanceof Element ? target.closest("input, select, button, summary") : null;
+          if (widget) {
+            used.add(nameOf(widget));
+          }
+        },
+        true,
+      );
+    }
+    Object.assign(window, { unusedWidgets: () => [...there].filter((widget) => !used.has(widget)) });
+  }, part);
+}
+
+export async function unusedWidgets(page: Page): Promise<string[]> {
+  return page.evaluate(() => (window as unknown as { unusedWidgets: () => string[] }).unusedWidgets());
+}
+
 /** A scene opened at its panel, everything unfolded. */
 export async function openBench(page: Page, { scene, tab, pictures }: Pick<Bench, "scene" | "tab" | "pictures">): Promise<Desk> {
   await openScene(page, scene, pictures);

@@ -196,6 +196,7 @@ export const kMaterial: Bench = {
     inPaint("illumination", { type: 5, unseen: true }),
     inPaint("refraction", { type: 1.5, unseen: true }),
     inPaint("transmission", { unseen: true }),
+    inPaint("name", { unseen: true }),
     { key: "objects[].name", path: "objects[0].name", unseen: true },
     { key: "objects[].matrix", path: "objects[0].matrix" },
   ],
@@ -237,6 +238,8 @@ export const kTexture: Bench = {
     inMap("gain", { type: 0.5 }),
     inMap("base", { type: 0.2 }),
     inMap("v_down"),
+    inMap("uv_set", { type: 1 }),
+    inMap("matrix"),
   ],
 };
 
@@ -245,7 +248,26 @@ export const kFineTexture: Bench = {
   tab: "material",
   pictures: ["checks.png"],
   scene: textured({ scale: [30, 30] }),
-  controls: [inMap("minify"), inMap("mip"), inMap("anisotropy", { type: 8 })],
+  controls: [inMap("minify"), inMap("mip"), inMap("anisotropy", { type: 8 }), inMap("lod_bias", { type: 2 })],
+};
+
+export const kEdges: Bench = {
+  name: "a texture with a border",
+  tab: "material",
+  pictures: ["checks.png"],
+  scene: textured({ scale: [1.7, 1.3], wrap: "clamp_to_border", border: [0.1, 0.2, 0.3] }),
+  controls: [inMap("border"), inMap("once")],
+};
+
+export const kNormalMap: Bench = {
+  name: "a map of normals",
+  tab: "material",
+  pictures: ["checks.png"],
+  scene: {
+    image: { samples: 1 },
+    objects: [{ mesh: "primitive:sphere:24", material: { ...kPaint, textures: { normal: "checks.png" } } }],
+  },
+  controls: [{ key: "materials.*.textures.object_space", path: "objects[0].material.textures.object_space" }],
 };
 
 export const kDataMap: Bench = {
@@ -259,12 +281,38 @@ export const kDataMap: Bench = {
   controls: [{ ...inMap("channel", { alike: ["auto"] }), path: "objects[0].material.textures.opacity.channel" }],
 };
 
-/** Keys whose controls are no single row: each has a test of its own. */
-export const kByThemselves: Readonly<Record<string, string>> = {};
+const kMaps = ["ambient", "diffuse", "specular", "emission", "shininess", "opacity", "decal", "bump", "normal", "displacement"];
+const kSides = ["right", "left", "top", "bottom", "front", "back"];
+const of = (test: string, keys: readonly string[]) => Object.fromEntries(keys.map((key) => [key, test]));
+
+/** Keys whose controls are no single row, and the tests that operate them. */
+export const kByThemselves: Readonly<Record<string, string>> = {
+  ...of("parts that are there or not", ["fog", "environment", "shadow", "occlusion", "ground"]),
+  ...of("the sky's picture", ["environment.file"]),
+  ...of("the views", ["camera.view"]),
+  ...of("lights are added, copied and removed", ["lights"]),
+  ...of("the library's materials", ["objects[].material"]),
+  ...of("a material of the scene is changed where it stands", ["materials"]),
+  ...of("objects are added, copied, shaped and removed", ["objects", "objects[].mesh"]),
+  ...of("what pictures drive", ["materials.*.textures", "materials.*.textures.*.file"]),
+  ...of(
+    "what pictures drive",
+    kMaps.map((map) => `materials.*.textures.${map}`),
+  ),
+  ...of("what a surface mirrors", ["materials.*.textures.reflection"]),
+  ...of(
+    "what a surface mirrors",
+    ["shape", "picture", ...kSides].map((key) => `materials.*.textures.reflection.${key}`),
+  ),
+};
+
+/** Tables whose keys are tested one by one. */
+export const kTables = ["image", "camera", "shading", "image.tone", "lights[].attenuation"];
 
 export const kBenches = {
   shading: [kShading, kCamera, kParallel],
   surroundings: [kSurroundings, kHaze],
   lights: [kLights],
-  materials: [kMaterial, kMask, kTexture, kFineTexture, kDataMap],
+  materials: [kMaterial, kMask],
+  textures: [kTexture, kFineTexture, kEdges, kDataMap, kNormalMap],
 };

@@ -15,7 +15,7 @@ export interface Control {
   type?: number | string;
   /** it is stated, and the page's picture does not show it: a name, what the path tracer alone draws */
   unseen?: true;
-  /** a slider's step; a page unless that would go too far */
+  /** a slider's step; a page, of whole numbers an arrow's, unless that would go too far */
   slideBy?: "Arrow";
   /** of a word's choices, those that look alike in this scene */
   alike?: readonly string[];
@@ -213,7 +213,8 @@ async function numberRow(
   if ((await slider.count()) > 0) {
     const before = Number(await stated(page, path));
     const isHigh = Number(await slider.inputValue()) > 500;
-    await slider.press(slideBy ? (isHigh ? "ArrowLeft" : "ArrowRight") : isHigh ? "PageDown" : "PageUp");
+    const isWhole = options.get(key)!.kind === "integer";
+    await slider.press(slideBy || isWhole ? (isHigh ? "ArrowLeft" : "ArrowRight") : isHigh ? "PageDown" : "PageUp");
     const after = Number(await stated(page, path));
     expect(isHigh ? before - after : after - before, "the slider by its keys").toBeGreaterThan(0);
     await seen("by the slider");
@@ -269,6 +270,11 @@ async function chooseEach(
     }
     expect(await stated(page, path), word).toEqual(read(word));
     marks.set(word, await pictureMark(page));
+  }
+  if (options.get(key)!.optional) {
+    await (isList ? input.selectOption("") : input.locator("label").first().click());
+    expect(await stated(page, path), "as the scene").toBe(undefined);
+    await (isList ? input.selectOption(words[0]!) : input.locator("label").last().click());
   }
   const looks = [...marks].filter(([word]) => !alike.includes(word)).map(([, mark]) => mark);
   expect(new Set(looks).size, `pictures of ${[...marks].map((mark) => mark.join(" ")).join(", ")}`).toBe(unseen ? 1 : looks.length);
