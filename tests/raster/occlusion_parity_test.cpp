@@ -44,7 +44,7 @@ Scene random_scene(unsigned seed) {
   }
   if (seed % 4 != 1) {
     scene.ground.emplace();
-    scene.shadow = ShadowSettings{.size = 256};  // what the floor shows; large maps have tests of their own
+    scene.shadow = seed == 0 ? ShadowSettings{} : ShadowSettings{.size = 256};  // what the floor shows; one map of the default size
   }
   if (seed % 5 == 0) {
     scene.environment = Environment{.color = {{0.3F, 0.5F, 0.4F}}, .visible = seed % 2 == 0};
