@@ -69,7 +69,7 @@ Json render_json(const RenderFlags& flags, const Scene& scene, const Rendering& 
     json["paths"] = {{"samples", rendering.stats.samples},
                      {"resumed", rendering.stats.samples_resumed},
                      {"rays", rendering.stats.rays},
-                     {"error", rendering.stats.error}};
+                     {"error", rendering.stats.samples > 1 ? Json(rendering.stats.error) : nullptr}};
   }
   if (hash) {
     json["hash"] = hash_text(*hash);
@@ -82,8 +82,10 @@ void say_what_was_written(const Session& session, const std::vector<std::string>
                           const ImageSettings& image, const Rendering& rendering, double seconds) {
   const RenderStats& stats = rendering.stats;
   const std::string resumed = stats.samples_resumed > 0 ? fmt::format(" ({} of them from before)", stats.samples_resumed) : "";
+  // One path alone does not say how far it is from the next.
+  const std::string error = stats.samples > 1 ? fmt::format(", error {:.2g} %", stats.error * 100) : "";
   const std::string paths =
-      stats.samples > 0 ? fmt::format(", {} paths a pixel{}, error {:.2g} %", stats.samples, resumed, stats.error * 100) : "";
+      stats.samples > 0 ? fmt::format(", {} path{} a pixel{}{}", stats.samples, stats.samples == 1 ? "" : "s", resumed, error) : "";
   std::string layers;
   for (const std::string& file : written) {
     if (std::find(outputs.begin(), outputs.end(), file) == outputs.end()) {

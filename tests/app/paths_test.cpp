@@ -12,6 +12,7 @@ namespace {
 
 using namespace lustro::testing;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class PathCommand : public CommandTest {
  protected:
@@ -37,8 +38,17 @@ TEST_F(PathCommand, SaysHowManyPathsItFollowedAndHowSureItIs) {
   EXPECT_EQ(picture("out.exr").width, 32);
 }
 
+// The error of one path is not known, and is not said.
+TEST_F(PathCommand, OnePathHasNoError) {
+  const Outcome outcome = lustro({"render", "scene.json", "--engine", "path", "--spp", "1", "--json", "-o", "out.png"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr(", 1 path a pixel, "));
+  EXPECT_THAT(outcome.err, Not(HasSubstr("error")));
+  EXPECT_THAT(outcome.out, HasSubstr("\"error\": null"));
+}
+
 TEST_F(PathCommand, StopsByTimeAndByError) {
-  EXPECT_THAT(lustro({"render", "scene.json", "--engine", "path", "--seconds", "0.01", "-o", "out.png"}).err, HasSubstr(" paths a pixel"));
+  EXPECT_THAT(lustro({"render", "scene.json", "--engine", "path", "--seconds", "0.01", "-o", "out.png"}).err, HasSubstr(" a pixel"));
   EXPECT_THAT(lustro({"render", "scene.json", "--engine", "path", "--target-error", "0.5", "-o", "out.png"}).err, HasSubstr("16 paths a pixel"));
 }
 
