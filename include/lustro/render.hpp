@@ -125,8 +125,7 @@ struct RenderStats {
   int samples = 0;          ///< paths a pixel that the picture is the mean of
   int samples_resumed = 0;  ///< of these from PathOptions::resume
   std::uint64_t rays = 0;   ///< that were shot, those to lights included
-  double error =
-      0;  ///< of one path it is not known and 0; root mean square of the pixels' standard errors over the picture's mean, of luminance
+  double error = 0;         ///< root mean square of the pixels' standard errors over the picture's mean, of luminance; 0 of one path: not known
 };
 
 /// Where the time of one picture went, milliseconds. The last two are done tile by tile on all threads at once: their sum is the wall time of
