@@ -3,6 +3,7 @@
 import { useMemo } from "preact/hooks";
 import type { ComponentChildren } from "preact";
 import type { Option } from "../engine/types";
+import { words } from "../i18n";
 import { helpOf, labelOf, unitOf } from "../i18n/options";
 import { options } from "../state/engine";
 import { pathSteps, pathText, type Path } from "../state/path";
@@ -115,7 +116,7 @@ function Known({ name, path = name, implied, onValue, value: given, idle, pictur
             type="text"
             aria-description={help}
             value={typeof own === "string" ? own : ""}
-            placeholder={option.default}
+            placeholder={option.default === "" ? "" : words.value.controls.auto}
             data-testid={`${testid}-input`}
             onInput={(event) => set(event.currentTarget.value === "" ? undefined : event.currentTarget.value)}
           />

@@ -81,12 +81,20 @@ const circle = (center: Vec3, x: Vec3, y: Vec3, radius: number): Vec3[] =>
     return add(center, add(scaled(x, radius * Math.cos(angle)), scaled(y, radius * Math.sin(angle))));
   });
 
-/** A mark beyond the picture's edge stands at the edge: it can be fetched from there. */
+/** A mark beyond the picture's edge, or below the stage's tools, stands beside them: it can be fetched from there. */
 function insidePicture(place: PlacedPoint): PlacedPoint {
-  const { width, height } = pictureRect.value;
+  const { left, top, width, height } = pictureRect.value;
   const x = Math.max(kEdge, Math.min(width - kEdge, place.x));
   const y = Math.max(kEdge, Math.min(height - kEdge, place.y));
-  return { x, y, depth: place.depth };
+  const tools = document.querySelector<HTMLElement>(".stage-tools");
+  if (!tools) {
+    return { x, y, depth: place.depth };
+  }
+  const toolsLeft = tools.offsetLeft - left;
+  const above = tools.offsetTop - top - kEdge;
+  const below = tools.offsetTop + tools.offsetHeight - top + kEdge;
+  const isHidden = x > toolsLeft - kEdge && x < toolsLeft + tools.offsetWidth + kEdge && y > above && y < below;
+  return { x, y: !isHidden ? y : above + below < height ? below : above, depth: place.depth };
 }
 
 interface HandleProps {

@@ -1,17 +1,25 @@
 // Every key of the engine's table of options has a control on the page, and a test of it.
 import { readFileSync, readdirSync } from "node:fs";
-import { expect, test } from "vitest";
+import { beforeAll, expect, test } from "vitest";
+import type { Option } from "../../src/engine/types";
+import { optionsIt, unitsIt, wordsIt } from "../../src/i18n/options-it";
 import { kBenches, kByThemselves, kTables } from "./controls";
 import { openLab, useBrowser } from "./lab";
 import { optionTable } from "./operate";
 
 useBrowser();
 
-test("no key is without a test of its control", async () => {
+let table: Map<string, Option>;
+beforeAll(async () => {
   const lab = await openLab();
-  const keys = [...(await optionTable(lab.page)).keys()];
+  table = await optionTable(lab.page);
   await lab.close();
-  const tested = Object.values(kBenches).flatMap((benches) => benches.flatMap(({ controls }) => controls.map(({ key }) => key)));
+});
+
+const tested = Object.values(kBenches).flatMap((benches) => benches.flatMap(({ controls }) => controls.map(({ key }) => key)));
+
+test("no key is without a test of its control", () => {
+  const keys = [...table.keys()];
   const all = [...tested, ...Object.keys(kByThemselves), ...kTables];
   expect(
     keys.filter((key) => !all.includes(key)),
@@ -37,4 +45,17 @@ test("each bench and each test that is named is there", () => {
   for (const name of Object.keys(kBenches)) {
     expect(text).toContain(`testBenches(lab, kBenches.${name})`);
   }
+});
+
+test("each control speaks Italian", () => {
+  const missing = tested.flatMap((key) => {
+    const { words, unit } = table.get(key)!;
+    const of = key.replace(/^materials\.\*\.(lighting|cull)$/, "shading.$1");
+    return [
+      ...(optionsIt[key] ? [] : [key]),
+      ...words.map(({ word }) => `${of}: ${word}`).filter((word) => !wordsIt[word]),
+      ...(unit === "" || unitsIt[unit] ? [] : [`unit ${unit}`]),
+    ];
+  });
+  expect(missing).toEqual([]);
 });
