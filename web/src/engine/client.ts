@@ -184,8 +184,17 @@ class Team implements Engine {
       this.setInfo({ ...this.info, threads: 1, singleThreadedBecause: "the model is too large to be held more than once" });
     }
     try {
-      const [opened] = await Promise.all(this.members.map((_, index) => this.call(index, (api) => api.open(named, chosen))));
-      return opened!;
+      // All have answered before any goes back to the files before.
+      const answers = await Promise.allSettled(this.members.map((_, index) => this.call(index, (api) => api.open(named, chosen))));
+      const refused = answers.find((answer) => answer.status === "rejected");
+      if (refused) {
+        throw refused.reason;
+      }
+      const opened = (answers[0] as PromiseFulfilledResult<Opened>).value;
+      if (!(await this.meshes(opened.scene)).some(({ triangles }) => triangles > 0)) {
+        throw new EngineError("empty", chosen, "has no triangles that could be drawn");
+      }
+      return opened;
     } catch (problem) {
       this.files = before.files;
       this.entry = before.entry;
