@@ -52,9 +52,15 @@ function quickRequest(request: RenderRequest): RenderRequest {
 
 let told = "";
 
+/** The panel shows no key that does not apply, and keeps its value for when it does: that is no news to the reader. */
+const kSleepingKey = /: changes nothing with /;
+
 /** What the engine noticed while it drew is said once, and again when it is something else. */
 function tell(notes: readonly string[]): void {
-  const text = notes.map(readable).join("\n");
+  const text = notes
+    .filter((note) => !kSleepingKey.test(note))
+    .map(readable)
+    .join("\n");
   if (text === told) {
     return;
   }

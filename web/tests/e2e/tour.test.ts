@@ -40,7 +40,7 @@ const kByHand: Record<string, (page: Page) => Promise<void>> = {
     await page.keyboard.press("Enter");
   },
   "lambert 4": (page) => drag(page, 220),
-  "phong 1": async (page) => page.getByTestId("option-shading-lighting").getByText("Phong", { exact: true }).click(),
+  "phong 1": async (page) => page.getByTestId("option-shading-lighting-input-phong").click(),
   "phong 3": async (page) => {
     await page.getByTestId("stage").focus();
     for (let i = 0; i < 16; ++i) {
@@ -51,10 +51,10 @@ const kByHand: Record<string, (page: Page) => Promise<void>> = {
   "exponent 1": (page) => type(page, "option-materials-x-shininess", "80"),
   "exponent 3": async (page) => page.getByTestId("option-shading-normalized-input").click(),
   "exponent 4": (page) => type(page, "option-materials-x-shininess", "0"),
-  "blinn-phong 1": async (page) => page.getByTestId("option-shading-lighting").getByText("Blinn-Phong").click(),
-  "interpolation 2": async (page) => page.getByTestId("option-shading-interpolation").getByText("Gouraud").click(),
+  "blinn-phong 1": async (page) => page.getByTestId("option-shading-lighting-input-blinn-phong").click(),
+  "interpolation 2": async (page) => page.getByTestId("option-shading-interpolation-input-gouraud").click(),
   "interpolation 3": (page) => type(page, "object-segments", "128"),
-  "interpolation 4": async (page) => page.getByTestId("option-shading-interpolation").getByText("Phong").click(),
+  "interpolation 4": async (page) => page.getByTestId("option-shading-interpolation-input-phong").click(),
   "edges 3": (page) => type(page, "option-shading-crease", "60"),
   "edges 4": (page) => type(page, "option-shading-crease", "40"),
   "lights 3": (page) => type(page, "option-lights-cutoff", "32"),
@@ -134,6 +134,7 @@ async function lookAt(page: Page, step: Step, language: "en" | "it"): Promise<vo
     await page.getByTestId(`tour-pin-${letter}`).waitFor({ state: "attached" });
   }
   expect(await card(page).locator(".katex-error").count()).toBe(0);
+  expect(await page.locator(".message").allInnerTexts(), "lessons cause no notes").toEqual([]);
   expect(await card(page).innerText()).not.toMatch(/[$`]|\*\*|undefined/);
 }
 
@@ -218,5 +219,27 @@ test("progress is kept, and the lesson can be left at any step", async () => {
   await card(page).getByRole("heading", { name: lessons[1]!.steps[2]!.title.en }).waitFor();
   await page.getByTestId("language").click();
   await card(page).getByRole("heading", { name: lessons[1]!.steps[2]!.title.it }).waitFor();
+  await lab.close();
+});
+
+test.each([
+  ["wide", 1280, 800],
+  ["between", 1000, 700],
+  ["narrow", 390, 844],
+])("no message covers the card: %s", async (_, width, height) => {
+  const lab = await openLab({ viewport: { width, height }, hash: "#s=broken" });
+  const { page } = lab;
+  const message = page.locator(".message");
+  await message.waitFor();
+  await beginLesson(page, lessons[0]!);
+  const said = (await message.boundingBox())!;
+  const shown = (await card(page).boundingBox())!;
+  const apart =
+    said.x >= shown.x + shown.width ||
+    shown.x >= said.x + said.width ||
+    said.y >= shown.y + shown.height ||
+    shown.y >= said.y + said.height;
+  expect(apart, JSON.stringify({ said, shown })).toBe(true);
+  expect(said.x + said.width).toBeLessThanOrEqual(width);
   await lab.close();
 });
