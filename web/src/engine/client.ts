@@ -171,7 +171,7 @@ class Team implements Engine {
     const named = files.map((file) => ({ path: checkedPath(file.path), bytes: file.bytes }));
     const chosen = entry === undefined ? entryOf(named) : checkedPath(entry);
     if (chosen === undefined) {
-      throw new EngineError("usage", "", "none of these files is a model or a scene: OBJ, PLY, STL, OFF, 3MF, glTF, GLB and scene files (JSON) are");
+      throw new EngineError("usage", "", "none of these files is a model or a scene: OBJ, PLY, STL, OFF, glTF, GLB and scene files (JSON) are");
     }
     const before = { files: this.files, entry: this.entry };
     this.files = named;

@@ -137,7 +137,7 @@ export const en = {
   files: {
     openHelp: "Open a model with its materials and textures, or a scene file",
     drop: "Drop it here",
-    dropHelp: "OBJ with MTL and textures, PLY, STL, OFF, 3MF, glTF, GLB, or a scene file; whole folders, too. Nothing leaves this machine.",
+    dropHelp: "OBJ with MTL and textures, PLY, STL, OFF, glTF, GLB, or a scene file; whole folders, too. Nothing leaves this machine.",
     loading: (what: string) => `Loading ${what}`,
     moreNotes: (count: number) => `and ${count} more`,
     linkNeeds: (files: string) =>
