@@ -9,6 +9,7 @@ import { kStartScene } from "./examples";
 import { filesOf, linkHash, readLink, type LinkContent } from "./link";
 import { openLink, openScene } from "./open";
 import { followServed } from "./served";
+import { currentSight, showSight } from "./sight";
 
 const kQuiet = 700;
 /** Addresses that are longer are not kept by all browsers. */
@@ -33,6 +34,9 @@ export async function openAddress(ready: Promise<void>): Promise<void> {
   const link = linkOfAddress();
   const needsFiles = link !== undefined && link.files.length > 0;
   openScene(link && !needsFiles ? link.scene : kStartScene, link && !needsFiles ? link.attached : []);
+  if (link && !needsFiles) {
+    showSight(link.sight ?? {});
+  }
   await ready;
   const isServed = await followServed(needsFiles ? link : undefined);
   if (needsFiles && !isServed) {
@@ -52,16 +56,18 @@ export async function openAddress(ready: Promise<void>): Promise<void> {
 function followScene(): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   let first: unknown = labDoc.peek();
+  const firstSight = JSON.stringify(currentSight());
   effect(() => {
     const doc = labDoc.value;
+    const sight = currentSight();
     const isQuiet = !isDragging.value && engineStatus.value !== "starting";
     clearTimeout(timer);
-    if (doc === first || !isQuiet) {
+    if ((doc === first && JSON.stringify(sight) === firstSight) || !isQuiet) {
       return;
     }
     first = undefined;
     timer = setTimeout(() => {
-      const hash = linkHash({ ...doc, files: filesOf(doc.scene) });
+      const hash = linkHash({ ...doc, files: filesOf(doc.scene), sight });
       written = hash.length <= kLongest ? hash : "#";
       history.replaceState(null, "", written);
     }, kQuiet);

@@ -4,7 +4,7 @@ import { NumberInput } from "../controls/number-input";
 import { Segmented } from "../controls/segmented";
 import { words } from "../i18n";
 import { engine } from "../state/engine";
-import { errorText, sayError } from "../state/messages";
+import { errorText } from "../state/messages";
 import { fullSize } from "../state/picture";
 import { scene } from "../state/scene";
 import { Dialog } from "./dialog";
@@ -47,6 +47,8 @@ function PictureExport({
   const t = words.value.exporting;
   const [isBusy, setBusy] = useState(false);
   const [hash, setHash] = useState("");
+  // Said here: the page's messages lie behind the dialog.
+  const [problem, setProblem] = useState("");
   const full = fullSize.value;
   const sizes = [
     { label: t.asShown, ...full },
@@ -60,6 +62,7 @@ function PictureExport({
       return;
     }
     setBusy(true);
+    setProblem("");
     try {
       const drawn = await current.render({ scene: scene.peek(), ...size, samples, hash: !wantsFile }, true);
       if (wantsFile) {
@@ -67,8 +70,8 @@ function PictureExport({
       } else {
         setHash(drawn.hash ?? "");
       }
-    } catch (problem) {
-      sayError(problem, "export");
+    } catch (reason) {
+      setProblem(errorText(reason));
     } finally {
       setBusy(false);
     }
@@ -136,6 +139,11 @@ function PictureExport({
           {hash}
         </output>
       </div>
+      {problem ? (
+        <p class="problem" role="alert" data-testid="export-problem">
+          {problem}
+        </p>
+      ) : null}
     </section>
   );
 }

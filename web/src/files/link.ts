@@ -1,9 +1,10 @@
-// A link that restores everything that the page's scene states: JSON, deflated, in the address' fragment (which no server sees). Files that were
+// A link that restores everything that the page's scene states, and what is compared and chosen: JSON, deflated, in the address' fragment (which no server sees). Files that were
 // opened do not travel in it; their names do, so that the page can ask for them.
 import { deflateSync, Inflate, strFromU8, strToU8 } from "fflate";
 import type { SceneDoc } from "../engine/types";
 import { isTable } from "../state/path";
 import type { LabDoc } from "../state/scene";
+import { readSight, type Sight } from "./sight";
 
 const kPrefix = "#s=";
 /** A link that unpacks to more is none of ours. */
@@ -12,6 +13,7 @@ const kMostBytes = 8 << 20;
 export interface LinkContent extends LabDoc {
   /** the files that the scene needs, by their paths; empty where it needs none */
   files: readonly string[];
+  sight?: Sight;
 }
 
 function toBase64Url(bytes: Uint8Array): string {
@@ -50,8 +52,13 @@ function inflate(bytes: Uint8Array): Uint8Array {
 }
 
 /** `#s=...` */
-export function linkHash({ scene, attached, files }: LinkContent): string {
-  const content = { scene, ...(attached.length > 0 ? { attached } : {}), ...(files.length > 0 ? { files } : {}) };
+export function linkHash({ scene, attached, files, sight = {} }: LinkContent): string {
+  const content = {
+    scene,
+    ...(attached.length > 0 ? { attached } : {}),
+    ...(files.length > 0 ? { files } : {}),
+    ...(Object.keys(sight).length > 0 ? { sight } : {}),
+  };
   return kPrefix + toBase64Url(deflateSync(strToU8(JSON.stringify(content)), { level: 9 }));
 }
 
@@ -69,7 +76,13 @@ export function readLink(hash: string): LinkContent | undefined {
     ? content["attached"].filter((n): n is number => Number.isInteger(n) && (n as number) >= 0)
     : [];
   const names = Array.isArray(content["files"]) ? content["files"].filter((n): n is string => typeof n === "string") : [];
-  return { scene: scene as unknown as SceneDoc, attached: numbers, files: names };
+  const sight = readSight(content["sight"]);
+  return {
+    scene: scene as unknown as SceneDoc,
+    attached: numbers,
+    files: names,
+    ...(Object.keys(sight).length > 0 ? { sight } : {}),
+  };
 }
 
 /** Of a texture, and of a reflection's tables of textures. */

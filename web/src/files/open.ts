@@ -9,6 +9,7 @@ import { readable, retract, say, sayError } from "../state/messages";
 import { labDoc, resetScene, scene } from "../state/scene";
 import { selectedLight, selectedPixel, selectObject } from "../state/selection";
 import { filesOf, type LinkContent } from "./link";
+import { showSight } from "./sight";
 
 const kAbout = "open";
 const kMostNotes = 4;
@@ -47,6 +48,7 @@ export function openLink(link: LinkContent): void {
   const isHere = link.files.every((path) => openedFiles.peek().files.some((file) => file.path.endsWith(path)));
   if (isHere) {
     show(link.scene, openedFiles.peek(), link.attached);
+    showSight(link.sight ?? {});
     return;
   }
   awaited = link;
@@ -97,6 +99,9 @@ export async function openFiles(
       { source, entry: name, files, cameras: opened.cameras, animations: opened.animations },
       fits ? link.attached : [],
     );
+    if (fits) {
+      showSight(link.sight ?? {});
+    }
     sayNotes(opened.notes);
     return true;
   } catch (problem) {

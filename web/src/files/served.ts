@@ -7,6 +7,7 @@ import { isTable } from "../state/path";
 import { resetScene, scene } from "../state/scene";
 import { openFiles, reloadFiles } from "./open";
 import type { LinkContent } from "./link";
+import { showSight } from "./sight";
 
 interface ServedModel {
   entry: string;
@@ -70,6 +71,7 @@ export async function followServed(link: LinkContent | undefined): Promise<boole
       stated = scene.peek();
       if (link) {
         resetScene(link.scene, { attached: link.attached });
+        showSight(link.sight ?? {});
       }
     }
   } catch (problem) {

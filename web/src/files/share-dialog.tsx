@@ -5,9 +5,10 @@ import { labDoc } from "../state/scene";
 import { copyText } from "./download";
 import { Dialog } from "./dialog";
 import { filesOf, linkHash } from "./link";
+import { currentSight } from "./sight";
 
 export function currentLink(): string {
-  return linkHash({ ...labDoc.value, files: filesOf(labDoc.value.scene) });
+  return linkHash({ ...labDoc.value, files: filesOf(labDoc.value.scene), sight: currentSight() });
 }
 
 export function ShareDialog({ onClose }: { onClose: () => void }) {

@@ -85,7 +85,9 @@ function GpuChoices({ value }: { value: Extract<Comparison, { kind: "gpu" }> }) 
 }
 
 function SettingsChoices({ value }: { value: Extract<Comparison, { kind: "settings" }> }) {
-  const chosen = kPairs.find((pair) => pair.left === value.left && pair.right === value.right);
+  // By what they say: a link brings changes of its own.
+  const text = (sides: { left: Changes; right: Changes }) => JSON.stringify([sides.left, sides.right]);
+  const chosen = kPairs.find((pair) => text(pair) === text(value));
   return (
     <>
       <div class="compare-row" role="group" aria-label={words.value.settings}>

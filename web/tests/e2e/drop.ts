@@ -45,12 +45,12 @@ export async function said(page: Page, kind: "error" | "warning" | "note" | "suc
 }
 
 /** The hash of the page's scene as its engine draws it in this size. */
-export async function hashOf(page: Page, width = 200, height = 150): Promise<string | undefined> {
+export async function hashOf(page: Page, samples = 0): Promise<string | undefined> {
   return page.evaluate(
     async (size) => {
       const { engine, scene } = window.lustro;
       return (await engine.value!.render({ scene: scene.value, ...size, hash: true }, true)).hash;
     },
-    { width, height },
+    { width: 200, height: 150, samples },
   );
 }

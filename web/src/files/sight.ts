@@ -1,0 +1,112 @@
+// What is seen besides the scene: which pictures are compared and how, the pixel and the object that are chosen. A link restores it, too.
+import { batch, effect } from "@preact/signals";
+import { movedPixel } from "../explain/ask";
+import { splitLayout } from "../gpu/split";
+import { comparison, wipe, type Changes, type Comparison } from "../state/compare";
+import { fullSize } from "../state/picture";
+import { isTable, type PathStep } from "../state/path";
+import { selectedObject, selectedPixel, selectObject } from "../state/selection";
+
+export interface Sight {
+  /** none: one picture */
+  compare?: Exclude<Comparison, { kind: "none" }>;
+  /** where it does not stand in the middle */
+  wipe?: number;
+  isSideBySide?: true;
+  /** with the size of the picture that it was chosen in */
+  pixel?: { x: number; y: number; width: number; height: number };
+  /** where it is not the first */
+  object?: number;
+}
+
+const kMiddle = 0.5;
+const kMostSide = 1 << 20;
+
+/** Reads the signals: an effect that calls it follows them. */
+export function currentSight(): Sight {
+  const { value: compare } = comparison;
+  const { value: pixel } = selectedPixel;
+  const { width, height } = fullSize.value;
+  return {
+    ...(compare.kind === "none" ? {} : { compare }),
+    ...(compare.kind === "none" || wipe.value === kMiddle ? {} : { wipe: wipe.value }),
+    ...(compare.kind === "none" || splitLayout.value === "wipe" ? {} : { isSideBySide: true }),
+    ...(pixel && width > 0 ? { pixel: { ...pixel, width, height } } : {}),
+    ...(selectedObject.value === 0 ? {} : { object: selectedObject.value }),
+  };
+}
+
+/** A pixel that is chosen once the stage has a size. */
+let stopWaiting = () => {};
+
+/** Shows it; what it does not state is as at the page's start. */
+export function showSight({ compare, wipe: at, isSideBySide, pixel, object }: Sight): void {
+  stopWaiting();
+  batch(() => {
+    comparison.value = compare ?? { kind: "none" };
+    wipe.value = at ?? kMiddle;
+    splitLayout.value = isSideBySide ? "side" : "wipe";
+    selectedPixel.value = undefined;
+    selectObject(object ?? 0);
+  });
+  if (pixel) {
+    const stop = effect(() => {
+      const size = fullSize.value;
+      if (size.width > 0) {
+        // Signals do not end an effect while it runs for the first time.
+        queueMicrotask(() => stop());
+        selectedPixel.value = movedPixel(pixel, pixel, size);
+      }
+    });
+    stopWaiting = stop;
+  }
+}
+
+const isStep = (step: unknown): step is PathStep => typeof step === "string" || Number.isInteger(step);
+
+function readChanges(value: unknown): Changes | undefined {
+  const isChange = (entry: unknown): entry is Changes[number] =>
+    Array.isArray(entry) &&
+    entry.length <= 2 &&
+    (typeof entry[0] === "string" || (Array.isArray(entry[0]) && entry[0].length > 0 && entry[0].every(isStep)));
+  return Array.isArray(value) && value.every(isChange) ? value : undefined;
+}
+
+function readComparison(value: unknown): Sight["compare"] {
+  if (!isTable(value)) {
+    return undefined;
+  }
+  const show = (["gpu", "wipe", "difference"] as const).find((word) => word === value["show"]);
+  const gain = ([1, 8, 64] as const).find((times) => times === value["gain"]);
+  if (value["kind"] === "gpu" && show && gain) {
+    return { kind: "gpu", show, gain };
+  }
+  const [left, right] = [readChanges(value["left"]), readChanges(value["right"])];
+  return value["kind"] === "settings" && left && right ? { kind: "settings", left, right } : undefined;
+}
+
+function readPixel(value: unknown): Sight["pixel"] {
+  if (!isTable(value)) {
+    return undefined;
+  }
+  const numbers = [value["x"], value["y"], value["width"], value["height"]];
+  if (!numbers.every((n): n is number => Number.isInteger(n) && (n as number) >= 0 && (n as number) < kMostSide)) {
+    return undefined;
+  }
+  const [x, y, width, height] = numbers as [number, number, number, number];
+  return x < width && y < height ? { x, y, width, height } : undefined;
+}
+
+/** Of a link: what is not understood is left out. */
+export function readSight(value: unknown): Sight {
+  const table = isTable(value) ? value : {};
+  const [compare, pixel] = [readComparison(table["compare"]), readPixel(table["pixel"])];
+  const { wipe: at, object } = table;
+  return {
+    ...(compare ? { compare } : {}),
+    ...(typeof at === "number" && at >= 0 && at <= 1 ? { wipe: at } : {}),
+    ...(table["isSideBySide"] === true ? { isSideBySide: true } : {}),
+    ...(pixel ? { pixel } : {}),
+    ...(Number.isInteger(object) && (object as number) > 0 ? { object: object as number } : {}),
+  };
+}

@@ -1,0 +1,84 @@
+import { deflateSync, strToU8 } from "fflate";
+import { afterEach, describe, expect, test } from "vitest";
+import { splitLayout } from "../../src/gpu/split";
+import { linkHash, readLink } from "../../src/files/link";
+import { currentSight, readSight, showSight, type Sight } from "../../src/files/sight";
+import { comparison, wipe } from "../../src/state/compare";
+import { fullSize } from "../../src/state/picture";
+import { resetScene } from "../../src/state/scene";
+import { selectedObject, selectedPixel } from "../../src/state/selection";
+
+const kCompared: Sight = {
+  compare: { kind: "settings", left: [["shading.interpolation", "flat"]], right: [[["lights", 0, "type"], "point"]] },
+  wipe: 0.25,
+  isSideBySide: true,
+};
+
+afterEach(() => {
+  showSight({});
+  fullSize.value = { width: 0, height: 0 };
+});
+
+describe("what is seen besides the scene", () => {
+  test("nothing of it is nothing in a link", () => {
+    expect(currentSight()).toEqual({});
+    const content = { scene: { objects: [] }, attached: [], files: [] };
+    expect(linkHash({ ...content, sight: currentSight() })).toBe(linkHash(content));
+  });
+
+  test("is shown and stated again, through a link", () => {
+    resetScene({ objects: [{ mesh: "primitive:cube" }, { mesh: "primitive:torus" }] });
+    fullSize.value = { width: 300, height: 200 };
+    const sight: Sight = { ...kCompared, pixel: { x: 20, y: 30, width: 300, height: 200 }, object: 1 };
+    showSight(readLink(linkHash({ scene: { objects: [] }, attached: [], files: [], sight }))!.sight!);
+    expect([comparison.value, wipe.value, splitLayout.value]).toEqual([sight.compare, 0.25, "side"]);
+    expect(selectedPixel.value).toEqual({ x: 20, y: 30 });
+    expect(selectedObject.value).toBe(1);
+    expect(currentSight()).toEqual(sight);
+  });
+
+  test("a link without it ends a comparison", () => {
+    showSight(kCompared);
+    showSight({});
+    expect(currentSight()).toEqual({});
+    expect([comparison.value.kind, wipe.value, splitLayout.value]).toEqual(["none", 0.5, "wipe"]);
+  });
+
+  test("a pixel waits for the stage, and is the same place in a picture of another size", () => {
+    showSight({ pixel: { x: 150, y: 100, width: 300, height: 200 } });
+    expect(selectedPixel.value).toBeUndefined();
+    fullSize.value = { width: 800, height: 400 };
+    expect(selectedPixel.value).toEqual({ x: 401, y: 201 });
+  });
+
+  test("a pixel that waits gives way to what is shown after it", async () => {
+    showSight({ pixel: { x: 1, y: 1, width: 300, height: 200 } });
+    showSight({});
+    fullSize.value = { width: 300, height: 200 };
+    await Promise.resolve();
+    expect(selectedPixel.value).toBeUndefined();
+  });
+});
+
+describe("a link's own words are not trusted", () => {
+  test.each([
+    { compare: { kind: "gpu", show: "other", gain: 8 } },
+    { compare: { kind: "gpu", show: "wipe", gain: 7 } },
+    { compare: { kind: "settings", left: [], right: [[3, "x"]] } },
+    { compare: { kind: "settings", left: [[["a", 0.5], 1]], right: [] } },
+    { compare: { kind: "settings", left: "flat", right: [] } },
+    { wipe: 2 },
+    { wipe: "0.5" },
+    { isSideBySide: "yes" },
+    { pixel: { x: 300, y: 0, width: 300, height: 200 } },
+    { pixel: { x: 0.5, y: 0, width: 300, height: 200 } },
+    { pixel: { x: 0, y: 0 } },
+    { object: -1 },
+    "all",
+    null,
+  ])("%j", (sight) => {
+    expect(readSight(sight)).toEqual({});
+    const packed = Buffer.from(deflateSync(strToU8(JSON.stringify({ scene: { objects: [] }, sight })))).toString("base64url");
+    expect(readLink(`#s=${packed}`)).toEqual({ scene: { objects: [] }, attached: [], files: [] });
+  });
+});
