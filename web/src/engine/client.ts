@@ -303,10 +303,16 @@ class Team implements Engine {
   }
 }
 
-/** Starts the engine. Rejects with an EngineError where the browser has no WebAssembly, or its files cannot be fetched. */
+/** Starts the engine. Rejects with an EngineError where the browser has no WebAssembly or no workers, or its files cannot be fetched. */
 export async function createEngine(setup: EngineSetup = {}): Promise<Engine> {
   if (typeof WebAssembly !== "object") {
     throw new EngineError("unsupported", "", "this browser has no WebAssembly, in which the engine is written");
+  }
+  if (typeof Worker !== "function") {
+    throw new EngineError("unsupported", "", "this browser has no workers, in which the engine runs");
+  }
+  if (typeof Worker !== "function") {
+    throw new EngineError("unsupported", "", "this browser has no workers, in which the engine runs");
   }
   const team = new Team(setup);
   await team.start();

@@ -26,6 +26,12 @@ export interface LabOptions extends Pick<BrowserContextOptions, "locale" | "view
   path?: string;
   /** behind the `#` of the address */
   hash?: string;
+  /** of a server that runs already, instead of a host of the tests' own */
+  url?: string;
+  /** what the browser shall lack, before the page begins */
+  prepare?: (page: Page) => Promise<unknown>;
+  /** false: for pages that never have a picture */
+  waits?: boolean;
 }
 
 export interface Lab {
@@ -72,13 +78,16 @@ function watch(page: Page, host: StaticHost): string[] {
 
 /** The page, opened, its engine ready and its first full picture drawn. */
 export async function openLab(options: LabOptions = {}): Promise<Lab> {
-  const { isolated = true, path = "/", hash = "", ...context } = options;
-  const host = await serve({ isolated, path });
+  const { isolated = true, path = "/", hash = "", url, prepare, waits = true, ...context } = options;
+  const host = url === undefined ? await serve({ isolated, path }) : { url, close: () => Promise.resolve() };
   const session = await browser!.newContext({ locale: "en-GB", viewport: { width: 1280, height: 800 }, ...context });
   const page = await session.newPage();
   const problems = watch(page, host);
+  await prepare?.(page);
   await page.goto(`${host.url}${hash}`);
-  await settled(page);
+  if (waits) {
+    await settled(page);
+  }
   return {
     page,
     problems,
