@@ -311,9 +311,6 @@ export async function createEngine(setup: EngineSetup = {}): Promise<Engine> {
   if (typeof Worker !== "function") {
     throw new EngineError("unsupported", "", "this browser has no workers, in which the engine runs");
   }
-  if (typeof Worker !== "function") {
-    throw new EngineError("unsupported", "", "this browser has no workers, in which the engine runs");
-  }
   const team = new Team(setup);
   await team.start();
   return team;
