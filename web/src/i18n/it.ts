@@ -144,8 +144,7 @@ export const it: Words = {
   files: {
     openHelp: "Apri un modello con i suoi materiali e texture, o un file di scena",
     drop: "Lascialo qui",
-    dropHelp:
-      "OBJ con MTL e texture, PLY, STL, OFF, glTF, GLB, o un file di scena; anche cartelle intere. Nulla lascia questa macchina.",
+    dropHelp: "OBJ con MTL e texture, PLY, STL, OFF, glTF, GLB, o un file di scena; anche cartelle intere. Nulla lascia questa macchina.",
     loading: (what: string) => `Carico ${what}`,
     moreNotes: (count: number) => `e altre ${count}`,
     linkNeeds: (files: string) =>
