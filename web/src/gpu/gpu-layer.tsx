@@ -1,6 +1,7 @@
 // The graphics card's picture of what the stage shows, and how it differs from the engine's.
 import { effect, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import type { Picture } from "../engine/types";
 import { comparison } from "../state/compare";
 import { engine } from "../state/engine";
 import { isAborted, retract, say, sayError } from "../state/messages";
@@ -15,7 +16,7 @@ import { words } from "./words";
 const kAbout = "gpu";
 
 /** What was found out about the latest pair of pictures; undefined while there is none. */
-export const gpuDifference = signal<Difference | undefined>(undefined);
+export const gpuDifference = signal<(Difference & { of: Picture }) | undefined>(undefined);
 const differencePicture = signal<{ width: number; height: number; bytes: Uint8ClampedArray<ArrayBuffer> } | undefined>(undefined);
 
 /** Draws on the card after each picture of the stage; only the latest is of interest. */
@@ -49,7 +50,7 @@ function follow(view: GpuView): () => void {
         }
         if (picture.peek() === drawn) {
           const difference = differenceOf(drawn.bytes, straight(view.read()), value.gain);
-          gpuDifference.value = difference;
+          gpuDifference.value = { ...difference, of: drawn };
           differencePicture.value = { width: drawn.width, height: drawn.height, bytes: difference.bytes };
         }
       } catch (problem) {
@@ -118,7 +119,13 @@ export function GpuLayer() {
         </div>
       )}
       {found && (
-        <output class="split-report" data-testid="gpu-report" data-share={found.shareOver} data-most={found.most}>
+        <output
+          class="split-report"
+          data-testid="gpu-report"
+          data-current={found.of === picture.value && isPictureFinal.value}
+          data-share={found.shareOver}
+          data-most={found.most}
+        >
           {words.value.differ(`${(found.shareOver * 100).toFixed(3)} %`, Math.round(found.most))}
         </output>
       )}

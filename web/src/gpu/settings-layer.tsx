@@ -5,15 +5,15 @@ import type { Picture } from "../engine/types";
 import { comparedScenes, comparison } from "../state/compare";
 import { engine } from "../state/engine";
 import { isAborted, retract, sayError } from "../state/messages";
-import { picture } from "../state/picture";
+import { isPictureFinal, picture } from "../state/picture";
 import { scene } from "../state/scene";
-import { isPictureFinal } from "../state/picture";
 import { BytesCanvas } from "./picture-canvas";
 import { Split } from "./split";
 import { sideLabel } from "./settings";
 
 const kAbout = "compare";
-const sides = signal<{ left: Picture; right: Picture } | undefined>(undefined);
+/** `of`: the stage's picture that they lie over, `how`: what they differ in. */
+const sides = signal<{ left: Picture; right: Picture; of: Picture; how: ReturnType<typeof comparedScenes.peek> } | undefined>(undefined);
 
 /** Draws both sides again after each picture of the stage; only the latest is of interest. */
 function follow(): () => void {
@@ -44,7 +44,7 @@ function follow(): () => void {
           await current.render({ ...request, scene: now.left }, true),
           await current.render({ ...request, scene: now.right }, true),
         ];
-        sides.value = { left, right };
+        sides.value = { left, right, of: size, how: now };
         retract(kAbout);
       } catch (problem) {
         if (!isAborted(problem)) {
@@ -67,10 +67,13 @@ export function SettingsLayer() {
   if (value.kind !== "settings") {
     return null;
   }
+  const isCurrent = sides.value?.of === picture.value && sides.value?.how === comparedScenes.value && isPictureFinal.value;
   const left = <BytesCanvas picture={sides.value?.left} testid="compare-left" />;
   return (
     <>
-      <div class="split-base">{left}</div>
+      <div class="split-base" data-testid="compare-base" data-current={isCurrent}>
+        {left}
+      </div>
       <Split
         leftLabel={sideLabel(scene.value, value.left, value.right)}
         rightLabel={sideLabel(scene.value, value.right, value.left)}
