@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "lab.hpp"
+#include "scene/samples.hpp"
 #include "scene/words.hpp"
 #include "shade/glsl.hpp"
 
@@ -261,9 +262,13 @@ std::string Lab::gpu_scene(const PictureRequest& request, bool linear) {
                         {"vertex", glsl_shader(GlslStage::vertex, options)},
                         {"fragment", glsl_shader(GlslStage::fragment, options)}});
   }
+  Json pattern = Json::array();
+  for (const SampleOffset& sample : sample_pattern(view.samples)) {
+    pattern.push_back({sample.x / 256.0, sample.y / 256.0});
+  }
   Json json{{"width", view.width},
             {"height", view.height},
-            {"samples", view.samples},
+            {"pattern", pattern},
             {"clipFromEye", clip_from_eye(view)},
             {"viewToEye", json_vector(-view.ray_center)},
             {"ambientLight", json_vector(prepared.ambient)},

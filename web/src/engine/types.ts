@@ -267,7 +267,8 @@ export interface OptionGroup {
 export interface GpuScene {
   width: number;
   height: number;
-  samples: number;
+  /** the engine's samples, from a pixel's centre, in pixels, x to the right, y down */
+  pattern: [number, number][];
   /** eye is the origin, world orientation */
   clipFromEye: Float32Array<ArrayBuffer>;
   viewToEye: Vec3;
@@ -278,7 +279,7 @@ export interface GpuScene {
   fog?: { mode: number; density: number; end: number; range_scale: number; color: Vec3 };
     /** the picture is stored as sRGB */
   encoded: boolean;
-  /** the shaders give linear light: it is encoded after the samples are averaged */
+  /** of several samples: the shaders give linear light, which is encoded after they are averaged */
   linearShaders: boolean;
   twoSided: boolean;
   lights: GpuLight[];

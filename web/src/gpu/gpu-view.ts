@@ -69,7 +69,7 @@ export class GpuView {
     }
   }
 
-  /** Draws what prepare() has seen. With more than one sample a pixel the card's own pattern is used. */
+  /** Draws what prepare() has seen: of several samples a pixel, one picture a sample. */
   draw(scene: GpuScene): void {
     const gl = this.gl;
     if (this.size[0] !== scene.width || this.size[1] !== scene.height) {
@@ -77,23 +77,42 @@ export class GpuView {
       this.canvas.height = scene.height;
       this.size = [scene.width, scene.height];
     }
-    const shape = { width: scene.width, height: scene.height, samples: scene.samples, isLinear: scene.linearShaders };
-    const isDirect = scene.samples === 1;
-    if (!isDirect && !this.target?.fits(shape)) {
-      this.target?.dispose();
-      this.target = new Target(gl, shape);
-    }
-    gl.bindFramebuffer(gl.FRAMEBUFFER, isDirect ? null : this.target!.framebuffer);
     gl.viewport(0, 0, scene.width, scene.height);
-    gl.enable(gl.DEPTH_TEST);
     gl.depthFunc(gl.LESS);
-    gl.clearColor(...clearColor(scene));
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     const programs = scene.programs.map((program) => this.programs.get(program.vertex + program.fragment)!);
     programs.forEach((program) => {
       gl.useProgram(program.handle);
       program.setScene(scene);
     });
+    // Without targets of floats nothing can be summed.
+    if (!scene.linearShaders) {
+      gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+      this.drawSample(scene, programs);
+      return;
+    }
+    if (!this.target?.fits(scene.width, scene.height)) {
+      this.target?.dispose();
+      this.target = new Target(gl, scene.width, scene.height);
+    }
+    this.target.begin();
+    for (const sample of scene.pattern) {
+      this.target.add(1 / scene.pattern.length, () => {
+        programs.forEach((program) => {
+          gl.useProgram(program.handle);
+          program.setSample(scene, sample);
+        });
+        this.drawSample(scene, programs);
+      });
+    }
+    this.target.store(scene.encoded);
+  }
+
+  /** All instances, into what is bound. */
+  private drawSample(scene: GpuScene, programs: readonly Program[]): void {
+    const gl = this.gl;
+    gl.enable(gl.DEPTH_TEST);
+    gl.clearColor(...clearColor(scene));
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     let current: Program | undefined;
     for (const instance of scene.instances) {
       gl.bindVertexArray(this.geometries.get(instance.geometry)!.array);
@@ -121,9 +140,6 @@ export class GpuView {
       }
     }
     gl.bindVertexArray(null);
-    if (!isDirect) {
-      this.target!.resolve(scene.encoded);
-    }
   }
 
   /** The picture's bytes, the top row first. Waits for the card. */

@@ -33,10 +33,20 @@ export class Program {
     return place;
   }
 
+  /** Has that place of each pixel, from its centre on, in pixels, y down, be drawn where the card looks: at the centre. In use. */
+  setSample(scene: GpuScene, [x, y]: readonly [number, number]): void {
+    const clipFromEye = scene.clipFromEye.slice();
+    for (let column = 0; column < 16; column += 4) {
+      clipFromEye[column]! -= ((2 * x) / scene.width) * clipFromEye[column + 3]!;
+      clipFromEye[column + 1]! += ((2 * y) / scene.height) * clipFromEye[column + 3]!;
+    }
+    this.gl.uniformMatrix4fv(this.place("clip_from_eye"), false, clipFromEye);
+  }
+
   /** What is the same for all that the scene shows. The program must be in use. */
   setScene(scene: GpuScene): void {
     const gl = this.gl;
-    gl.uniformMatrix4fv(this.place("clip_from_eye"), false, scene.clipFromEye);
+    this.setSample(scene, [0, 0]);
     gl.uniform3fv(this.place("view_to_eye"), scene.viewToEye);
     gl.uniform3fv(this.place("ambient_light"), scene.ambientLight);
     gl.uniform1i(this.place("light_count"), scene.lights.length);

@@ -1,15 +1,6 @@
-// What is drawn into before the canvas: samples become pixels here; of linear light they are averaged as light, and encoded after that, as the
-// engine does it.
+// Where samples become pixels: one picture a sample is drawn, and their average kept as linear light, which is encoded after that, as the engine
+// does it. A card's own samples lie elsewhere, are fewer than sixteen, and are told apart on a coarser grid.
 import { Program } from "./programs";
-
-export interface TargetShape {
-  width: number;
-  height: number;
-  /** samples a pixel that are wanted; the card may have fewer */
-  samples: number;
-  /** half floats of linear light, else bytes that the shaders have encoded */
-  isLinear: boolean;
-}
 
 const kVertex = `#version 300 es
 // One triangle over the whole picture.
@@ -18,7 +9,16 @@ void main() {
   gl_Position = vec4(corner, 0.0, 1.0);
 }`;
 
-const kFragment = `#version 300 es
+const kAdd = `#version 300 es
+precision highp float;
+uniform sampler2D light;
+uniform float weight;
+out vec4 part;
+void main() {
+  part = texelFetch(light, ivec2(gl_FragCoord.xy), 0) * weight;
+}`;
+
+const kStore = `#version 300 es
 // A pixel of linear light, stored: sRGB (IEC 61966-2-1) of the colour, which alpha multiplies.
 precision highp float;
 uniform sampler2D light;
@@ -33,80 +33,99 @@ void main() {
   stored = vec4((encodes ? vec3(srgb(color.r), srgb(color.g), srgb(color.b)) : color) * value.a, value.a);
 }`;
 
+interface Layer {
+  texture: WebGLTexture;
+  framebuffer: WebGLFramebuffer;
+}
+
 export class Target {
-  readonly framebuffer: WebGLFramebuffer;
-  private readonly color: WebGLRenderbuffer;
+  /** the sample that is being drawn */
+  private readonly sample: Layer;
+  private readonly sum: Layer;
   private readonly depth: WebGLRenderbuffer;
-  /** of linear light: the averaged samples, and what encodes them */
-  private readonly light:
-    { texture: WebGLTexture; framebuffer: WebGLFramebuffer; program: Program; nothing: WebGLVertexArrayObject } | undefined;
+  private readonly adding: Program;
+  private readonly storing: Program;
+  private readonly nothing: WebGLVertexArrayObject;
 
   constructor(
     private readonly gl: WebGL2RenderingContext,
-    private readonly shape: TargetShape,
+    private readonly width: number,
+    private readonly height: number,
   ) {
-    const { width, height } = shape;
-    const format = shape.isLinear ? gl.RGBA16F : gl.RGBA8;
-    const most = (gl.getInternalformatParameter(gl.RENDERBUFFER, format, gl.SAMPLES) as Int32Array | null)?.[0] ?? 1;
-    const samples = shape.samples > 1 ? Math.min(shape.samples, most) : 0;
-    this.framebuffer = gl.createFramebuffer();
-    this.color = gl.createRenderbuffer();
-    this.depth = gl.createRenderbuffer();
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
-    gl.bindRenderbuffer(gl.RENDERBUFFER, this.color);
-    gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, width, height);
-    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.RENDERBUFFER, this.color);
-    gl.bindRenderbuffer(gl.RENDERBUFFER, this.depth);
-    gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, gl.DEPTH_COMPONENT24, width, height);
-    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, this.depth);
-    if (shape.isLinear) {
+    const layer = (): Layer => {
       const texture = gl.createTexture();
       gl.bindTexture(gl.TEXTURE_2D, texture);
-      gl.texStorage2D(gl.TEXTURE_2D, 1, format, width, height);
+      gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA16F, width, height);
       const framebuffer = gl.createFramebuffer();
       gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
       gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
-      this.light = { texture, framebuffer, program: new Program(gl, kVertex, kFragment), nothing: gl.createVertexArray() };
-    }
+      return { texture, framebuffer };
+    };
+    this.sum = layer();
+    this.sample = layer();
+    this.depth = gl.createRenderbuffer();
+    gl.bindRenderbuffer(gl.RENDERBUFFER, this.depth);
+    gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT24, width, height);
+    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, this.depth);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    this.adding = new Program(gl, kVertex, kAdd);
+    this.storing = new Program(gl, kVertex, kStore);
+    this.nothing = gl.createVertexArray();
   }
 
-  fits(shape: TargetShape): boolean {
-    const own = this.shape;
-    return shape.width === own.width && shape.height === own.height && shape.samples === own.samples && shape.isLinear === own.isLinear;
+  fits(width: number, height: number): boolean {
+    return width === this.width && height === this.height;
   }
 
-  /** Averages the samples into the canvas. */
-  resolve(encodes: boolean): void {
-    const { gl, light } = this;
-    const { width, height } = this.shape;
-    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.framebuffer);
-    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, light?.framebuffer ?? null);
-    gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+  /** Nothing is summed yet. */
+  begin(): void {
+    const { gl } = this;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.sum.framebuffer);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT);
+  }
+
+  /** What draw() draws counts with that weight. */
+  add(weight: number, draw: () => void): void {
+    const { gl } = this;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.sample.framebuffer);
+    draw();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.sum.framebuffer);
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE);
+    this.cover(this.adding, this.sample.texture, () => gl.uniform1f(this.adding.place("weight"), weight));
+    gl.disable(gl.BLEND);
+  }
+
+  /** The sum into the canvas. */
+  store(encodes: boolean): void {
+    const { gl } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    if (light) {
-      gl.disable(gl.DEPTH_TEST);
-      gl.disable(gl.CULL_FACE);
-      gl.useProgram(light.program.handle);
-      gl.bindTexture(gl.TEXTURE_2D, light.texture);
-      gl.uniform1i(light.program.place("light"), 0);
-      gl.uniform1i(light.program.place("encodes"), encodes ? 1 : 0);
-      gl.bindVertexArray(light.nothing);
-      gl.drawArrays(gl.TRIANGLES, 0, 3);
-      gl.bindVertexArray(null);
-    }
+    this.cover(this.storing, this.sum.texture, () => gl.uniform1i(this.storing.place("encodes"), encodes ? 1 : 0));
+  }
+
+  private cover(program: Program, texture: WebGLTexture, set: () => void): void {
+    const { gl } = this;
+    gl.disable(gl.DEPTH_TEST);
+    gl.disable(gl.CULL_FACE);
+    gl.useProgram(program.handle);
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.uniform1i(program.place("light"), 0);
+    set();
+    gl.bindVertexArray(this.nothing);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    gl.bindVertexArray(null);
   }
 
   dispose(): void {
-    const { gl, light } = this;
-    gl.deleteFramebuffer(this.framebuffer);
-    gl.deleteRenderbuffer(this.color);
+    const { gl } = this;
     gl.deleteRenderbuffer(this.depth);
-    if (light) {
-      gl.deleteTexture(light.texture);
-      gl.deleteFramebuffer(light.framebuffer);
-      gl.deleteVertexArray(light.nothing);
-      light.program.dispose();
+    for (const { texture, framebuffer } of [this.sample, this.sum]) {
+      gl.deleteTexture(texture);
+      gl.deleteFramebuffer(framebuffer);
     }
+    gl.deleteVertexArray(this.nothing);
+    this.adding.dispose();
+    this.storing.dispose();
   }
 }

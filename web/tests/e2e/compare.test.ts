@@ -8,10 +8,10 @@ import "./window";
 
 useBrowser();
 
-/** Pixels that may differ by more than 2/255: a card places its samples elsewhere, so silhouettes do. */
+/** Pixels that may differ by more than 2/255: a card's grid is coarser, so silhouettes do. */
 const kMostShare = 0.003;
 
-const kScenes = ["primitive:teapot", "primitive:sphere:48", "primitive:torus:60", "primitive:cube", "primitive:cone"];
+const kScenes = ["primitive:teapot", "primitive:sphere:48", "primitive:torus:60", "primitive:cube", "primitive:plane:8"];
 const kLightings = ["lambert", "phong", "blinn-phong"];
 const kInterpolations = ["flat", "gouraud", "phong"];
 
@@ -31,20 +31,21 @@ async function reported(page: Page): Promise<number> {
   return Number(await report.getAttribute("data-share"));
 }
 
-const isLit = (page: Page, testid: string) =>
+/** The mean of all colours of a canvas, 0..255. */
+const brightness = (page: Page, testid: string) =>
   page.getByTestId(testid).evaluate((canvas: HTMLCanvasElement) => {
     const { data } = canvas.getContext("2d")!.getImageData(0, 0, canvas.width, canvas.height);
-    let brightest = 0;
+    let sum = 0;
     for (let at = 0; at < data.length; at += 4) {
-      brightest = Math.max(brightest, data[at]!, data[at + 1]!, data[at + 2]!);
+      sum += data[at]! + data[at + 1]! + data[at + 2]!;
     }
-    return brightest;
+    return sum / (0.75 * data.length);
   });
 
 describe("the engine beside the graphics card", () => {
   let lab: Lab;
   beforeAll(async () => {
-    lab = await openLab({ viewport: { width: 900, height: 620 } });
+    lab = await openLab();
     await lab.page.getByTestId("compare").click();
     await lab.page.getByTestId("compare-gpu").click();
   });
@@ -52,7 +53,10 @@ describe("the engine beside the graphics card", () => {
 
   test.each(kScenes)("%s", async (mesh) => {
     const { page } = lab;
-    await set(page, [["objects[0].mesh", mesh]]);
+    await set(page, [
+      ["objects[0].mesh", mesh],
+      ["image.samples", 4],
+    ]);
     for (const lighting of kLightings) {
       for (const interpolation of kInterpolations) {
         await set(page, [
@@ -67,15 +71,13 @@ describe("the engine beside the graphics card", () => {
   test("the difference can be seen, and is the stronger the higher its gain", async () => {
     const { page } = lab;
     await page.getByTestId("gpu-show-difference").click();
-    const seen: number[] = [];
+    let last = 0;
     for (const gain of [1, 8, 64]) {
       await page.getByTestId(`gpu-gain-${gain}`).click();
       await reported(page);
-      await page.waitForFunction(() => document.querySelector('[data-testid="gpu-difference"]')?.getAttribute("data-ready") === "true");
-      await expect.poll(() => isLit(page, "gpu-difference")).toBeGreaterThan(seen.at(-1) ?? 0);
-      seen.push(await isLit(page, "gpu-difference"));
+      await expect.poll(() => brightness(page, "gpu-difference"), { timeout: 10_000 }).toBeGreaterThan(1.5 * last);
+      last = await brightness(page, "gpu-difference");
     }
-    expect(seen[2]).toBe(255);
     await page.getByTestId("gpu-only").click();
     expect(await page.getByTestId("gpu-picture").isVisible()).toBe(true);
     await page.getByTestId("gpu-wipe").click();
