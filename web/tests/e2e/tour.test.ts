@@ -134,6 +134,12 @@ async function lookAt(page: Page, step: Step, language: "en" | "it"): Promise<vo
     await page.getByTestId(`tour-pin-${letter}`).waitFor({ state: "attached" });
   }
   expect(await card(page).locator(".katex-error").count()).toBe(0);
+  const cutOff = await card(page)
+    .locator(".tour-formula")
+    .evaluateAll((formulas) =>
+      formulas.filter((formula) => formula.scrollWidth > formula.clientWidth).map((formula) => formula.textContent),
+    );
+  expect(cutOff, "formulas fit the card").toEqual([]);
   expect(await page.locator(".message").allInnerTexts(), "lessons cause no notes").toEqual([]);
   expect(await card(page).innerText()).not.toMatch(/[$`]|\*\*|undefined/);
 }

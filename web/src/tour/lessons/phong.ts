@@ -30,7 +30,8 @@ export const phong: Lesson = {
         en: "Lambert's law alone makes everything look like chalk. Bui Tuong Phong added one term in his thesis work, printed in 1975: a **highlight** around the direction in which a mirror would send the light.",
         it: "La sola legge di Lambert fa sembrare tutto di gesso. Bui Tuong Phong aggiunse un termine nel lavoro di dottorato, pubblicato nel 1975: un **riflesso** intorno alla direzione in cui uno specchio manderebbe la luce.",
       },
-      formula: "I = k_a I_a + k_d\\, l_d \\max(\\mathbf N\\cdot\\mathbf L, 0) + k_s\\, l_s \\max(\\mathbf R\\cdot\\mathbf V, 0)^n",
+      formula:
+        "\\begin{aligned} I ={}& k_a I_a + k_d\\, l_d \\max(\\mathbf N\\cdot\\mathbf L, 0) \\\\ &{}+ k_s\\, l_s \\max(\\mathbf R\\cdot\\mathbf V, 0)^n \\end{aligned}",
       control: { tab: "shading", testid: "option-shading-lighting" },
       ask: {
         kind: "task",
