@@ -2,7 +2,7 @@
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import { Tex } from "../explain/tex";
 import { Icon } from "../layout/icons";
-import { isSheetOpen } from "../state/settings";
+import { isSheetOpen, language } from "../state/settings";
 import { goTo } from "./highlight";
 import type { Choice, Quantity, Step } from "./lesson";
 import { lessons } from "./lessons";
@@ -30,6 +30,11 @@ import {
 } from "./player";
 import { Prose } from "./prose";
 import { say, spoken } from "./words";
+
+/** Italian has a comma where English has a point. */
+function localFormula(tex: string): string {
+  return language.value === "it" ? tex.replace(/(\d)\.(\d)/g, "$1{,}$2") : tex;
+}
 
 function Options({ ask }: { ask: Choice }) {
   return (
@@ -226,7 +231,7 @@ export default function Card() {
         </p>
         {current.formula ? (
           <div class="tour-formula">
-            <Tex tex={current.formula} block />
+            <Tex tex={localFormula(current.formula)} block />
           </div>
         ) : null}
         <div class="tour-places">

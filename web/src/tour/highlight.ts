@@ -49,7 +49,8 @@ export function pointAt(control: ControlRef | undefined, opens = !isNarrow()): v
     }
     if (!isScrolled) {
       isScrolled = true;
-      element.scrollIntoView({ block: "nearest", behavior: isCalm() ? "auto" : "smooth" });
+      // a sheet that is only being opened has no height yet in which there were a middle
+      element.scrollIntoView({ block: isNarrow() ? "start" : "center", behavior: isCalm() ? "auto" : "smooth" });
     }
   };
   mark();
@@ -68,6 +69,6 @@ export function goTo(control: ControlRef): void {
     const inner = element?.matches("button, input, select")
       ? element
       : element?.querySelector<HTMLElement>("input, select, button, [tabindex='0']");
-    inner?.focus();
+    inner?.focus({ preventScroll: true });
   });
 }

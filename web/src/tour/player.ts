@@ -5,7 +5,7 @@ import { splitLayout } from "../gpu/split";
 import { worldToPixel } from "../stage/projection";
 import { comparison, wipe } from "../state/compare";
 import { engine } from "../state/engine";
-import { say as sayOnPage } from "../state/messages";
+import { retract, say as sayOnPage } from "../state/messages";
 import { fullRequest, fullSize, picture } from "../state/picture";
 import { canUndo, editLab, isDragging, labDoc, rememberScene, resetScene, scene, updateAll } from "../state/scene";
 import { selectedLight, selectedPixel, selectObject } from "../state/selection";
@@ -29,6 +29,9 @@ export interface Feedback {
   kind: "right" | "wrong" | "note";
   texts: readonly Text[];
 }
+
+/** What the tour's messages are about. */
+const kAbout = "tour";
 
 /** Changes settle for this long before they are checked. */
 const kSettleMilliseconds = 180;
@@ -110,6 +113,7 @@ function show(next: Place): void {
     isSheetOpen.value = false;
     shownSteps.value++;
   });
+  retract(kAbout);
   pointAt(control);
   markPlace(chosen.id, next.step);
 }
@@ -170,7 +174,7 @@ export function leave(keeps = false): void {
     editLab(() => last);
     comparison.value = { kind: "none" };
   } else {
-    sayOnPage("note", spoken(textOf("backAgain")), "tour");
+    sayOnPage("note", spoken(textOf("backAgain")), kAbout);
   }
 }
 

@@ -82,7 +82,7 @@ export const blinnPhong: Lesson = {
         it: "Nel 1977 Jim Blinn si chiese di che cosa sia fatta una superficie ruvida: di minuscoli specchi inclinati a caso. Uno di essi manda la luce da $\\mathbf L$ a $\\mathbf V$ proprio se è perpendicolare alla direzione a metà strada, $\\mathbf H$. Così misurò quanto $\\mathbf H$ dista da $\\mathbf N$, e fece a meno di $\\mathbf R$.",
       },
       formula:
-        "\\begin{gathered} \\mathbf H = \\frac{\\mathbf L + \\mathbf V}{|\\mathbf L + \\mathbf V|} \\\\ \\operatorname{spec} = \\max(\\mathbf N\\cdot\\mathbf H,\\, 0)^n \\end{gathered}",
+        "\\begin{aligned} \\mathbf H &= \\frac{\\mathbf L + \\mathbf V}{|\\mathbf L + \\mathbf V|} \\\\ \\operatorname{spec} &= \\max(\\mathbf N\\cdot\\mathbf H,\\, 0)^n \\end{aligned}",
       control: { tab: "shading", testid: "option-shading-lighting" },
       ask: {
         kind: "task",
