@@ -1,4 +1,4 @@
-// A small picture of an example: drawn by the engine when the examples are first looked at, for those that need no files.
+// A small picture of an example: drawn by the engine when the examples are first looked at; of those that need files, one that was drawn before.
 import { signal } from "@preact/signals";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import type { Thumbnail } from "../controls/thumbnails";
@@ -33,7 +33,9 @@ export function ExamplePicture({ example }: { example: Example }) {
       canvas.current?.getContext("2d")?.putImageData(new ImageData(picture.bytes, picture.width, picture.height), 0, 0);
     }
   }, [picture]);
-  return (
-    <canvas ref={canvas} class={`example-picture${example.files ? " model" : ""}`} width={kWidth} height={kHeight} aria-hidden="true" />
+  return example.picture ? (
+    <img class="example-picture" src={example.picture} width={kWidth} height={kHeight} alt="" />
+  ) : (
+    <canvas ref={canvas} class="example-picture" width={kWidth} height={kHeight} aria-hidden="true" />
   );
 }

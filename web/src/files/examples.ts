@@ -11,8 +11,11 @@ import spotObj from "../../../assets/spot/spot_triangulated.obj?url";
 import spotPng from "../../../assets/spot/spot_texture.png?url";
 import type { EngineFile, SceneDoc } from "../engine/types";
 import { fullSize } from "../state/picture";
+import cornellPicture from "./examples/cornell.jpg?url";
 import shadows from "./examples/shadows.json";
 import spot from "./examples/spot.json";
+import spotPicture from "./examples/spot.jpg?url";
+import stagePicture from "./examples/stage.jpg?url";
 import start from "./examples/start.json";
 import threeWays from "./examples/three-ways.json";
 
@@ -27,6 +30,8 @@ export interface Example {
   files?: Readonly<Record<string, string>>;
   /** where the scene itself stands among them */
   entry?: string;
+  /** its small picture, where the scene alone draws none: `npm run pictures` */
+  picture?: string;
 }
 
 export const kExamples: readonly Example[] = [
@@ -34,13 +39,26 @@ export const kExamples: readonly Example[] = [
   { name: "threeWays", scene: threeWays as SceneDoc },
   { name: "gems", scene: gems as SceneDoc },
   { name: "shadows", scene: shadows as SceneDoc },
-  { name: "spot", scene: spot as SceneDoc, entry: "scene.json", files: { "spot_triangulated.obj": spotObj, "spot_texture.png": spotPng } },
-  { name: "stage", scene: stage as SceneDoc, entry: "examples/scenes/stage.json", files: { "assets/spot/spot_triangulated.obj": spotObj } },
+  {
+    name: "spot",
+    scene: spot as SceneDoc,
+    entry: "scene.json",
+    picture: spotPicture,
+    files: { "spot_triangulated.obj": spotObj, "spot_texture.png": spotPng },
+  },
+  {
+    name: "stage",
+    scene: stage as SceneDoc,
+    entry: "examples/scenes/stage.json",
+    picture: stagePicture,
+    files: { "assets/spot/spot_triangulated.obj": spotObj },
+  },
   { name: "mist", scene: mist as SceneDoc },
   {
     name: "cornell",
     scene: cornell as SceneDoc,
     entry: "examples/scenes/cornell.json",
+    picture: cornellPicture,
     files: { "assets/cornell_box/CornellBox-Original.obj": cornellObj, "assets/cornell_box/CornellBox-Original.mtl": cornellMtl },
   },
   { name: "chessmen", scene: chessmen as SceneDoc },

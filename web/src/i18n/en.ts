@@ -22,6 +22,7 @@ export const en = {
     tools: "Tools of the picture",
     frame: "Frame everything",
     hint: "Click a pixel to read it · drag to turn · drop a model to open it",
+    touchHint: "Tap a pixel to read it · drag to turn · the folder opens a model",
     starting: "The engine is starting",
     failed: "The engine did not start, so there is no picture. The message below says why.",
     drawing: "Drawing",
@@ -178,7 +179,7 @@ export const en = {
   examples: {
     title: "Examples",
     names: {
-      start: ["Copper teapot", "Three lights on polished metal"],
+      start: ["Brass teapot", "Three lights on polished metal"],
       threeWays: ["Coarse and fine", "Where Gouraud loses the highlight"],
       gems: ["Gems by candle light", "Point lights that fade with the distance"],
       shadows: ["Sun and shadows", "Shadow maps, ambient occlusion, a floor"],

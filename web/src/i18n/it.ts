@@ -22,6 +22,7 @@ export const it: Words = {
     tools: "Strumenti dell’immagine",
     frame: "Inquadra tutto",
     hint: "Clicca un pixel per leggerlo · trascina per girare · lascia qui un modello per aprirlo",
+    touchHint: "Tocca un pixel per leggerlo · trascina per girare · la cartella apre un modello",
     starting: "Il motore si avvia",
     failed: "Il motore non è partito, perciò non c’è immagine. Il messaggio qui sotto dice perché.",
     drawing: "Disegno in corso",
@@ -185,7 +186,7 @@ export const it: Words = {
   examples: {
     title: "Esempi",
     names: {
-      start: ["Teiera di rame", "Tre luci su metallo lucido"],
+      start: ["Teiera di ottone", "Tre luci su metallo lucido"],
       threeWays: ["Grossolano e fine", "Dove Gouraud perde il riflesso"],
       gems: ["Gemme a lume di candela", "Luci puntiformi che calano con la distanza"],
       shadows: ["Sole e ombre", "Mappe d’ombra, occlusione ambientale, un pavimento"],

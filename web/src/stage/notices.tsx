@@ -8,6 +8,9 @@ import { isDrawing, picture } from "../state/picture";
 import { selectedPixel } from "../state/selection";
 import { hint } from "../state/settings";
 
+/** A finger neither clicks nor drops files. */
+const isTouch = matchMedia("(hover: none)").matches;
+
 /** The hint goes for good once a pixel was read, or when it is told to. */
 function Hint() {
   const t = words.value;
@@ -25,7 +28,7 @@ function Hint() {
   }
   return (
     <p class="hint" data-testid="hint">
-      <span>{t.stage.hint}</span>
+      <span>{isTouch ? t.stage.touchHint : t.stage.hint}</span>
       <button
         class="tool small"
         type="button"

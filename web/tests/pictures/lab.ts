@@ -1,8 +1,10 @@
 // Pictures of the page for docs/using/lab.md, into docs/pictures: wide and narrow, light and dark, each with something open.
+import { writeFileSync } from "node:fs";
 import { resolve } from "node:path";
 import type { Page } from "playwright-core";
 import { test } from "vitest";
 import { openLab, settled, useBrowser, type LabOptions } from "../e2e/lab";
+import "../e2e/window";
 
 useBrowser();
 
@@ -90,5 +92,30 @@ test.each(kShots.map((shot) => [shot.name, shot] as const))("%s", async (name, {
   await set(lab.page);
   await settled(lab.page);
   await lab.page.screenshot({ path: `${kFolder}/${name}.jpg`, type: "jpeg", quality: 85 });
+  await lab.close();
+});
+
+// What the dialog of examples shows of those that need files.
+test.each(["spot", "stage", "cornell"])("the example %s", async (name) => {
+  const lab = await openLab();
+  const { page } = lab;
+  await page.getByTestId("examples").click();
+  await page.getByTestId(`example-${name}`).click();
+  await page.getByTestId("examples-dialog").waitFor({ state: "detached" });
+  await page.waitForFunction(() => JSON.stringify(window.lustro.scene.value).includes(".obj"), undefined, { timeout: 30_000 });
+  await settled(page);
+  const picture = await page.evaluate(async () => {
+    const { engine, scene } = window.lustro;
+    const { width, height, bytes } = await engine.value!.render({ scene: scene.value, width: 416, height: 260, samples: 8 }, true);
+    const canvas = document.createElement("canvas");
+    canvas.width = width;
+    canvas.height = height;
+    canvas.getContext("2d")!.putImageData(new ImageData(bytes, width, height), 0, 0);
+    return canvas.toDataURL("image/jpeg", 0.85);
+  });
+  writeFileSync(
+    resolve(import.meta.dirname, `../../src/files/examples/${name}.jpg`),
+    Buffer.from(picture.slice(picture.indexOf(",") + 1), "base64"),
+  );
   await lab.close();
 });
