@@ -281,6 +281,32 @@ test("narrow: a control that is asked for can be seen, and has the focus", async
   await lab.close();
 });
 
+test("narrow: the place that was chosen stays chosen above the sheet, and the way on is at hand", async () => {
+  const lab = await openLab({ viewport: { width: 390, height: 844 } });
+  const { page } = lab;
+  const lesson = lessons.find(({ id }) => id === "lambert")!;
+  await beginLesson(page, lesson);
+  for (const [index, way] of (["click", "show"] as const).entries()) {
+    const { ask } = lesson.steps[index]!;
+    if (way === "click" && ask?.kind === "task" && ask.solution.kind === "pick") {
+      await clickPlace(page, await ask.solution.at(new Bench(engine, sceneOf(lesson, index))));
+    } else {
+      await page.getByTestId("tour-hint").click();
+      await page.getByTestId("tour-show").click();
+    }
+    await outcome(page).waitFor({ state: "attached", timeout: 10_000 });
+    await page.locator('.panel[data-open="true"]').waitFor();
+    await settled(page);
+    await page.getByTestId("explain").waitFor({ timeout: 5000 });
+    expect(await page.getByTestId("pixel-mark").count()).toBe(1);
+    await page.getByTestId("tour-next").click();
+    await card(page)
+      .getByRole("heading", { name: lesson.steps[index + 1]!.title.en })
+      .waitFor();
+  }
+  await lab.close();
+});
+
 interface Box {
   x: number;
   y: number;
