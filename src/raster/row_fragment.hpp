@@ -214,9 +214,9 @@ struct Mapped {
   Vec3<Float> reflection;  // what is seen in the mirrored view, where there is a reflection map
 };
 
-/// `count` fragments from `begin` on. Lanes beyond them calculate the first one again.
+/// `count` fragments from `begin` on. Lanes beyond them calculate the first one again. needs_normal: of Phong interpolation.
 HWY_INLINE Batch make_batch(const Frame& frame, const TileScratch& s, const TileScratch::Fragments& fragments, const Instance& instance,
-                            const ShadingMaterial& material, std::size_t begin, std::size_t count) {
+                            const ShadingMaterial& material, std::size_t begin, std::size_t count, bool needs_normal = true) {
   const PreparedScene& scene = *frame.scene;
   Int px = load(&fragments.x[begin]);
   Int py = load(&fragments.y[begin]);
@@ -251,7 +251,7 @@ HWY_INLINE Batch make_batch(const Frame& frame, const TileScratch& s, const Tile
     }
   }
   Vec3<Float> normal{};
-  if (scene.shading.interpolation == Interpolation::phong || frame.wants_all || HWY_UNLIKELY(material.maps.reflects)) {
+  if (needs_normal && (scene.shading.interpolation == Interpolation::phong || frame.wants_all || HWY_UNLIKELY(material.maps.reflects))) {
     normal = scene.shading.interpolation == Interpolation::flat ? faces.face_normal() : faces.normal_at(scene.shading.normals, at.weights);
   }
   Batch batch{at, faces, scene.view.point_at(at.x, at.y, at.depth), normal, {}};

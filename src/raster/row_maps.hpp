@@ -169,6 +169,11 @@ inline void each_map(const ShadingMaps& maps, std::size_t count, MapStrip& s, Ta
   }
 }
 
+/// What a normal map changes: it is worked out only where the map states nothing.
+inline HWY_NOINLINE Vec3<Float> interpolated_normal(const Run& run, std::size_t i) {
+  return run.batch(i).normal;
+}
+
 /// The coefficients, the exponent and the normal of a strip under its material's maps.
 inline HWY_NOINLINE void apply_maps(const Run& run, Strip& strip, MapStrip& s) {
   const ShadingMaps& maps = run.material.maps;
@@ -225,7 +230,10 @@ inline HWY_NOINLINE void apply_maps(const Run& run, Strip& strip, MapStrip& s) {
           const Float side = load(&s.side[i]);
           const Vec3<Float> stated =
               maps.normal_is_object_space ? run.instance.normal_from_object.turned(value) : frame.turn(run.instance, value);
-          Strip::put(strip.normal, i, stated_normal(stated, applies_at(map, i), Strip::get(strip.normal, i) * side) * side);
+          const Float applies = applies_at(map, i);
+          const bool is_stated = all_of(has_direction(stated * applies));
+          const Vec3<Float> unchanged = HWY_LIKELY(is_stated) ? Vec3<Float>{} : interpolated_normal(run, i) * side;
+          Strip::put(strip.normal, i, stated_normal(stated, applies, unchanged) * side);
         });
       case MapKind::bump:  // not here: goes_by_maps()
         return;
@@ -240,9 +248,11 @@ HWY_INLINE void put_coefficients(Strip& strip, std::size_t i, const Coefficients
   Strip::put(strip.emission, i, k.emission);
 }
 
-HWY_INLINE void put_surface(const Run& run, Strip& strip, std::size_t i, const Batch& batch) {
+HWY_INLINE void put_surface(const Run& run, Strip& strip, std::size_t i, const Batch& batch, bool has_normal = true) {
   Strip::put(strip.position, i, batch.position);
-  Strip::put(strip.normal, i, batch.normal);
+  if (has_normal) {
+    Strip::put(strip.normal, i, batch.normal);
+  }
   Strip::put(strip.to_eye, i, run.frame.scene->view.to_eye_at(batch.at.x, batch.at.y));
 }
 
@@ -274,10 +284,11 @@ inline HWY_NOINLINE void make_mapped_surfaces(const Run& run, Strip& strip) {
     return;
   }
   MapStrip s;
-  const bool has_frame = maps.has(MapKind::normal) && !maps.normal_is_object_space;
+  const bool is_bent = maps.has(MapKind::normal);
+  const bool has_frame = is_bent && !maps.normal_is_object_space;
   for (std::size_t i = 0; i < run.count; i += kLanes) {
-    const Batch batch = run.batch(i);
-    put_surface(run, strip, i, batch);
+    const Batch batch = run.batch(i, !is_bent);
+    put_surface(run, strip, i, batch, !is_bent);
     put_coefficients(strip, i, tinted(run.material.coefficients, batch.faces.tint(batch.at.weights)));
     const std::array<Footprint<Float>, 2> at = footprints_on<Float>(batch.faces, batch.at.weights, batch.slopes);
     for (std::size_t set = 0; set < 2; ++set) {

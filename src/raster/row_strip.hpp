@@ -35,8 +35,8 @@ struct Run {
   const ShadingMaterial& material;
   std::size_t begin, count;
 
-  [[nodiscard]] HWY_INLINE Batch batch(std::size_t i) const {
-    return make_batch(frame, s, fragments, instance, material, begin + i, count - i < kLanes ? count - i : kLanes);
+  [[nodiscard]] HWY_INLINE Batch batch(std::size_t i, bool needs_normal = true) const {
+    return make_batch(frame, s, fragments, instance, material, begin + i, count - i < kLanes ? count - i : kLanes, needs_normal);
   }
   /// Strip by strip.
   template <class Shade>

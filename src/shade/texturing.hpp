@@ -164,11 +164,17 @@ LUSTRO_INLINE F chosen_channel(const ShadingMap& map, const MapValue<F>& value) 
   }
 }
 
-/// v / |v|; `fallback` where v is 0 or not a number.
+/// Whether v is neither 0 nor not a number.
+template <class F>
+LUSTRO_INLINE auto has_direction(const Vec3<F>& v) {
+  return dot(v, v) > F(1e-30F);
+}
+
+/// v / |v|; `fallback` where v has no direction.
 template <class F>
 LUSTRO_INLINE Vec3<F> unit_or(const Vec3<F>& v, const Vec3<F>& fallback) {
   const F length2 = dot(v, v);
-  const auto is_long = length2 > F(1e-30F);  // false for NaN
+  const auto is_long = has_direction(v);
   const F scale = F(1) / square_root(select(is_long, length2, F(1)));
   return {select(is_long, v.x * scale, fallback.x), select(is_long, v.y * scale, fallback.y), select(is_long, v.z * scale, fallback.z)};
 }
