@@ -299,6 +299,7 @@ test("narrow: the place that was chosen stays chosen above the sheet, and the wa
     await settled(page);
     await page.getByTestId("explain").waitFor({ timeout: 5000 });
     expect(await page.getByTestId("pixel-mark").count()).toBe(1);
+    expect((await page.getByTestId("stage").boundingBox())!.height, "room for the picture").toBeGreaterThan(200);
     await page.getByTestId("tour-next").click();
     await card(page)
       .getByRole("heading", { name: lesson.steps[index + 1]!.title.en })
