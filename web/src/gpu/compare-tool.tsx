@@ -30,6 +30,7 @@ function SideSelect({ side, path, label }: { side: "left" | "right"; path: strin
     <label class="compare-select">
       <span>{label}</span>
       <select
+        class="select"
         value={typeof stated === "string" ? stated : ""}
         data-testid={`compare-${side}-${path.split(".")[1]}`}
         onChange={(event) => {

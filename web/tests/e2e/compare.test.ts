@@ -200,5 +200,26 @@ describe("two settings", () => {
     expect(shown[0]).not.toBe(shown[1]);
     await page.getByTestId("compare-none").click();
     await page.getByTestId("compare-base").waitFor({ state: "detached" });
+    await page.keyboard.press("Escape"); // the card of choices
+  });
+
+  test("on a narrow screen the whole card can be reached, above the sheet", async () => {
+    const { page } = lab;
+    const wide = page.viewportSize()!;
+    await page.setViewportSize({ width: 390, height: 844 });
+    await page.getByTestId("tab-lights").click();
+    await page.getByTestId("compare").click();
+    await page.getByTestId("compare-settings").click();
+    // Playwright scrolls to what it clicks, and does not click what lies below the sheet.
+    await page.getByTestId("layout-side").click();
+    await page.waitForFunction(() => {
+      const card = document.querySelector("#compare-card")!.getBoundingClientRect();
+      const sheet = document.querySelector(".panel")!.getBoundingClientRect();
+      return card.left >= 0 && card.right <= innerWidth && card.bottom <= sheet.top;
+    });
+    await page.getByTestId("layout-wipe").click();
+    await page.getByTestId("compare-none").click();
+    await page.keyboard.press("Escape");
+    await page.setViewportSize(wide);
   });
 });
