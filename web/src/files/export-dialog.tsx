@@ -99,6 +99,9 @@ function PictureExport({
           onValue={(height) => setSize({ ...size, height })}
           testid="export-height"
         />
+      </div>
+      <div class="export-samples">
+        <span aria-hidden="true">{t.samples}</span>
         <Segmented
           id="export-samples"
           label={t.samples}
