@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "image/lower_case.hpp"
+#include "io/percent.hpp"
 #include "json_out.hpp"
 
 namespace lustro::app {
@@ -40,30 +41,6 @@ LabAnswer refuse(int status, std::string text) {
   answer.headers.emplace_back("Cache-Control", "no-store");
   answer.body = std::move(text) + "\n";
   return answer;
-}
-
-/// `%20` as a space; nothing where a % has no two digits behind it.
-std::optional<std::string> without_percent(std::string_view text) {
-  const auto digit = [](char c) {
-    const char lower = static_cast<char>(c | 0x20);
-    return c >= '0' && c <= '9' ? c - '0' : lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
-  };
-  std::string plain;
-  plain.reserve(text.size());
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '%') {
-      plain += text[i];
-      continue;
-    }
-    const int high = i + 2 < text.size() ? digit(text[i + 1]) : -1;
-    const int low = i + 2 < text.size() ? digit(text[i + 2]) : -1;
-    if (high < 0 || low < 0) {
-      return std::nullopt;
-    }
-    plain += static_cast<char>(16 * high + low);
-    i += 2;
-  }
-  return plain;
 }
 
 std::string_view trimmed(std::string_view text) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "io/percent.hpp"
 #include "parallel/big_memory.hpp"
 #include "scene/nearest.hpp"
 
@@ -13,14 +14,6 @@ namespace lustro {
 namespace {
 
 /// The value of a digit, or -1.
-int hex_digit(char c) {
-  if (c >= '0' && c <= '9') {
-    return c - '0';
-  }
-  const char lower = static_cast<char>(c | 0x20);
-  return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
-}
-
 int base64_digit(char c) {
   if (c >= 'A' && c <= 'Z') {
     return c - 'A';
@@ -34,23 +27,11 @@ int base64_digit(char c) {
   return c == '+' || c == '-' ? 62 : c == '/' || c == '_' ? 63 : -1;
 }
 
-Result<std::string> without_percent(std::string_view text) {
-  std::string plain;
-  plain.reserve(text.size());
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '%') {
-      plain += text[i];
-      continue;
-    }
-    const int high = i + 2 < text.size() ? hex_digit(text[i + 1]) : -1;
-    const int low = i + 2 < text.size() ? hex_digit(text[i + 2]) : -1;
-    if (high < 0 || low < 0) {
-      return fail(ErrorKind::malformed, {}, fmt::format("{} has a % without two digits behind it", quote(text)));
-    }
-    plain += static_cast<char>(16 * high + low);
-    i += 2;
+Result<std::string> decoded(std::string_view uri) {
+  if (auto plain = without_percent(uri)) {
+    return *std::move(plain);
   }
-  return plain;
+  return fail(ErrorKind::malformed, {}, fmt::format("{} has a % without two digits behind it", quote(uri)));
 }
 
 FileBytes owned(std::size_t size) {
@@ -99,7 +80,7 @@ Result<FileBytes> decode_data_uri(std::string_view uri) {
   if (uri.substr(0, comma).ends_with(";base64")) {
     return decode_base64(data);
   }
-  const Result<std::string> plain = without_percent(data);
+  const Result<std::string> plain = decoded(data);
   if (!plain) {
     return tl::unexpected(plain.error());
   }
@@ -113,7 +94,7 @@ Result<std::string> confined_path(std::string_view uri) {
   if (colon != std::string_view::npos && uri.find('/') > colon) {
     return fail(ErrorKind::malformed, {}, fmt::format("{} is no file beside the document: only relative paths are read", quote(uri)));
   }
-  const Result<std::string> plain = without_percent(uri.substr(0, uri.find_first_of("?#")));
+  const Result<std::string> plain = decoded(uri.substr(0, uri.find_first_of("?#")));
   if (!plain) {
     return tl::unexpected(plain.error());
   }
