@@ -1,5 +1,4 @@
 // The lights: the scene's ambient light, the list, and all of the chosen one; its handles are in the view (stage/light-handles.tsx).
-import { useState } from "preact/hooks";
 import { words } from "../i18n";
 import { FalloffPlot } from "../plots/falloff-plot";
 import { wordHelpOf, wordLabelOf } from "../i18n/options";
@@ -31,16 +30,13 @@ import { selectedLight } from "../state/selection";
 import { dot, length, subtract, unit } from "../stage/vector";
 import { readColor, screenColor, writeLinear, writeText, type Rgb } from "./color";
 import { niceSize } from "./defaults";
+import { FactorRow } from "./factor-row";
 import { Group } from "./group";
+import { ListHead } from "./list-head";
 import { OptionField, transferIsSrgb } from "./option-field";
 import { sceneSize } from "./option-rows";
 import { Row } from "./row";
 import { Segmented } from "./segmented";
-import { Slider } from "./slider";
-import { NumberInput } from "./number-input";
-
-const kBrightness = { from: 0.01, to: 100, scale: "log" } as const;
-const isPositive = (n: number) => Number.isFinite(n) && n > 0;
 
 function colorOf(light: LightEntry, key = "diffuse"): Rgb {
   return readColor(light[key] ?? [1, 1, 1], transferIsSrgb())?.linear ?? [1, 1, 1];
@@ -63,29 +59,7 @@ function Brightness({ index, light }: { index: number; light: LightEntry }) {
       }),
     );
   };
-  return (
-    <Row id="light-brightness" label={t.brightness} help={t.brightnessHelp} testid="light-brightness">
-      <div class="number-field">
-        <Slider
-          label={t.brightness}
-          value={now}
-          range={kBrightness}
-          isAllowed={isPositive}
-          onValue={set}
-          testid="light-brightness-slider"
-        />
-        <NumberInput
-          id="light-brightness"
-          value={Number(now.toPrecision(4))}
-          step={0.1}
-          isAllowed={isPositive}
-          range="> 0"
-          onValue={set}
-          testid="light-brightness-input"
-        />
-      </div>
-    </Row>
-  );
+  return <FactorRow id="light-brightness" label={t.brightness} help={t.brightnessHelp} value={now} step={0.1} onValue={set} />;
 }
 
 /** How the light fades, with what the camera looks at marked on the curves. */
@@ -185,69 +159,25 @@ export function lightLabel(light: LightEntry, index: number): string {
 
 function List() {
   const t = words.value.lights;
-  const [isAdding, setAdding] = useState(false);
   const list = lights.value;
   const chosen = selectedLight.value;
   const kinds = options.value.get("lights[].type")?.words ?? [];
   return (
     <section data-testid="lights">
-      <div class="section-head">
-        <h2 class="group-title">{t.title}</h2>
-        <div class="header-tools">
-          <button
-            class="tool small"
-            type="button"
-            aria-expanded={isAdding}
-            title={t.add}
-            aria-label={t.add}
-            data-testid="light-add"
-            onClick={() => setAdding(!isAdding)}
-          >
-            <Icon name="add" />
-          </button>
-          <button
-            class="tool small"
-            type="button"
-            title={t.copy}
-            aria-label={t.copy}
-            disabled={chosen === undefined}
-            data-testid="light-copy"
-            onClick={() => chosen !== undefined && duplicateLight(chosen)}
-          >
-            <Icon name="copy" />
-          </button>
-          <button
-            class="tool small"
-            type="button"
-            title={t.remove}
-            aria-label={t.remove}
-            disabled={chosen === undefined}
-            data-testid="light-remove"
-            onClick={() => chosen !== undefined && removeLight(chosen)}
-          >
-            <Icon name="remove" />
-          </button>
-        </div>
-      </div>
-      {isAdding ? (
-        <div class="choices" data-testid="light-add-choices">
-          {kinds.map(({ word, help }) => (
-            <button
-              key={word}
-              class="term plain"
-              type="button"
-              data-help={wordHelpOf("lights[].type", word, help)}
-              data-testid={`light-add-${word}`}
-              onClick={() => {
-                addLight(word as LightType);
-                setAdding(false);
-              }}
-            >
-              {wordLabelOf("lights[].type", word)}
-            </button>
-          ))}
-        </div>
-      ) : null}
+      <ListHead
+        words={t}
+        choices={kinds.map(({ word, help }) => ({
+          value: word as LightType,
+          label: wordLabelOf("lights[].type", word),
+          help: wordHelpOf("lights[].type", word, help),
+        }))}
+        canCopy={chosen !== undefined}
+        canRemove={chosen !== undefined}
+        onAdd={addLight}
+        onCopy={() => chosen !== undefined && duplicateLight(chosen)}
+        onRemove={() => chosen !== undefined && removeLight(chosen)}
+        testid="light"
+      />
       {list.length === 0 ? <p class="row-help">{t.none}</p> : null}
       <ul class="object-list" aria-label={t.title}>
         {list.map((light, index) => (

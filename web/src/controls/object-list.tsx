@@ -1,11 +1,10 @@
 // The objects of the scene: one is chosen, some can be added, copied and removed; a primitive from coarse to fine.
-import { useState } from "preact/hooks";
 import { words } from "../i18n";
-import { Icon } from "../layout/icons";
 import { meshes } from "../state/meshes";
 import { addObject, duplicateObject, kPrimitives, objectLabel, primitiveMesh, primitiveOf, removeObject } from "../state/objects";
 import { scene, update } from "../state/scene";
 import { selectedObject, selectedObjectEntry, selectObject } from "../state/selection";
+import { ListHead } from "./list-head";
 import { NumberInput } from "./number-input";
 import { Row } from "./row";
 import { Select } from "./select";
@@ -65,68 +64,21 @@ function Tessellation({ index, mesh }: { index: number; mesh: string }) {
 
 export function ObjectList() {
   const t = words.value.objects;
-  const [isAdding, setAdding] = useState(false);
   const { objects } = scene.value;
   const chosen = selectedObject.value;
   const entry = selectedObjectEntry.value;
   return (
     <section data-testid="objects">
-      <div class="section-head">
-        <h2 class="group-title">{t.title}</h2>
-        <div class="header-tools">
-          <button
-            class="tool small"
-            type="button"
-            aria-expanded={isAdding}
-            title={t.add}
-            aria-label={t.add}
-            data-testid="object-add"
-            onClick={() => setAdding(!isAdding)}
-          >
-            <Icon name="add" />
-          </button>
-          <button
-            class="tool small"
-            type="button"
-            title={t.copy}
-            aria-label={t.copy}
-            disabled={!entry}
-            data-testid="object-copy"
-            onClick={() => duplicateObject(chosen)}
-          >
-            <Icon name="copy" />
-          </button>
-          <button
-            class="tool small"
-            type="button"
-            title={t.remove}
-            aria-label={t.remove}
-            disabled={objects.length < 2}
-            data-testid="object-remove"
-            onClick={() => removeObject(chosen)}
-          >
-            <Icon name="remove" />
-          </button>
-        </div>
-      </div>
-      {isAdding ? (
-        <div class="choices" data-testid="object-add-choices">
-          {kPrimitives.map((name) => (
-            <button
-              key={name}
-              class="term plain"
-              type="button"
-              data-testid={`object-add-${name}`}
-              onClick={() => {
-                addObject(`primitive:${name}`);
-                setAdding(false);
-              }}
-            >
-              {t.shapes[name]}
-            </button>
-          ))}
-        </div>
-      ) : null}
+      <ListHead
+        words={t}
+        choices={kPrimitives.map((name) => ({ value: name, label: t.shapes[name] }))}
+        canCopy={entry !== undefined}
+        canRemove={objects.length > 1}
+        onAdd={(name) => addObject(`primitive:${name}`)}
+        onCopy={() => duplicateObject(chosen)}
+        onRemove={() => removeObject(chosen)}
+        testid="object"
+      />
       <ul class="object-list" aria-label={t.title}>
         {objects.map((object, index) => (
           <li key={index}>

@@ -3,13 +3,10 @@ import { words } from "../i18n";
 import { matrixOf, placeOf, sizeOf, withPlace, withSize } from "../state/placement";
 import { at, update } from "../state/scene";
 import { niceSize } from "./defaults";
-import { NumberInput } from "./number-input";
+import { FactorRow } from "./factor-row";
 import { sceneSize } from "./option-rows";
 import { Row } from "./row";
-import { Slider } from "./slider";
 import { VectorField } from "./vector-field";
-
-const isPositive = (n: number) => Number.isFinite(n) && n > 0;
 
 export function PlacementFields({ index }: { index: number }) {
   const t = words.value.objects;
@@ -30,27 +27,7 @@ export function PlacementFields({ index }: { index: number }) {
           testid="object-position-input"
         />
       </Row>
-      <Row id="object-size" label={t.size} help={t.sizeHelp} testid="object-size">
-        <div class="number-field">
-          <Slider
-            label={t.size}
-            value={size}
-            range={{ from: 0.01, to: 100, scale: "log" }}
-            isAllowed={isPositive}
-            onValue={setSize}
-            testid="object-size-slider"
-          />
-          <NumberInput
-            id="object-size"
-            value={Number(size.toPrecision(4))}
-            step={0.05}
-            isAllowed={isPositive}
-            range="> 0"
-            onValue={setSize}
-            testid="object-size-input"
-          />
-        </div>
-      </Row>
+      <FactorRow id="object-size" label={t.size} help={t.sizeHelp} value={size} step={0.05} onValue={setSize} />
     </>
   );
 }

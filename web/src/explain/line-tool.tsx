@@ -1,6 +1,6 @@
 // The profile's line: drawn on the picture by a drag, its ends moved by pointer or by arrow keys.
 import { signal } from "@preact/signals";
-import { Icon } from "../layout/icons";
+import { IconButton } from "../layout/icon-button";
 import { pictureRect } from "../stage/projection";
 import { fullSize } from "../state/picture";
 import { selectedPixel } from "../state/selection";
@@ -76,17 +76,13 @@ export function LineButton() {
   const t = explainWords.value;
   const isOn = pointerTool.value?.id === kLineTool.id;
   return (
-    <button
-      class="tool"
-      type="button"
-      title={t.drawLine}
-      aria-label={t.drawLine}
-      aria-pressed={isOn}
-      data-testid="line-tool"
+    <IconButton
+      icon="profile"
+      label={t.drawLine}
+      isPressed={isOn}
+      testid="line-tool"
       onClick={() => (pointerTool.value = isOn ? undefined : kLineTool)}
-    >
-      <Icon name="profile" />
-    </button>
+    />
   );
 }
 

@@ -2,7 +2,7 @@
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { words } from "../i18n";
-import { Icon } from "../layout/icons";
+import { IconButton } from "../layout/icon-button";
 
 export function Dialog({
   title,
@@ -31,16 +31,13 @@ export function Dialog({
       <div class="dialog-content">
         <header class="section-head">
           <h2>{title}</h2>
-          <button
-            class="tool small"
-            type="button"
-            aria-label={words.value.messages.dismiss}
-            title={words.value.messages.dismiss}
-            data-testid={`${testid}-close`}
+          <IconButton
+            icon="close"
+            label={words.value.messages.dismiss}
+            isSmall
+            testid={`${testid}-close`}
             onClick={() => element.current?.close()}
-          >
-            <Icon name="close" />
-          </button>
+          />
         </header>
         {children}
       </div>

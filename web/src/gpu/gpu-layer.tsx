@@ -5,6 +5,7 @@ import type { Picture } from "../engine/types";
 import { comparison } from "../state/compare";
 import { engine } from "../state/engine";
 import { isAborted, retract, say, sayError } from "../state/messages";
+import { newestOnly } from "../state/newest";
 import { isPictureFinal, picture } from "../state/picture";
 import { scene } from "../state/scene";
 import { differenceOf, straight, type Difference } from "./difference";
@@ -16,55 +17,45 @@ import { words } from "./words";
 const kAbout = "gpu";
 
 /** What was found out about the latest pair of pictures; undefined while there is none. */
-export const gpuDifference = signal<(Difference & { of: Picture }) | undefined>(undefined);
-const differencePicture = signal<{ width: number; height: number; bytes: Uint8ClampedArray<ArrayBuffer> } | undefined>(undefined);
+export const gpuDifference = signal<(Difference & { width: number; height: number; of: Picture }) | undefined>(undefined);
 
-/** Draws on the card after each picture of the stage; only the latest is of interest. */
-function follow(view: GpuView): () => void {
-  let isBusy = false;
-  let isStale = false;
-  const draw = async () => {
-    if (isBusy) {
-      isStale = true;
-      return;
+/** Draws on the card what the stage shows. */
+async function draw(view: GpuView): Promise<void> {
+  const current = engine.peek();
+  const drawn = picture.peek();
+  const value = comparison.peek();
+  if (!current || !drawn || value.kind !== "gpu") {
+    return;
+  }
+  try {
+    const request = { scene: scene.peek(), width: drawn.width, height: drawn.height, ...(isPictureFinal.peek() ? {} : { samples: 1 }) };
+    const gpuScene = await current.gpuScene(request, view.canDrawLinear);
+    await view.prepare(gpuScene, (key) => current.gpuGeometry(key));
+    view.draw(gpuScene);
+    const missing = gpuScene.missing.join(", ");
+    if (missing === "") {
+      retract(kAbout);
+    } else {
+      say("note", words.peek().missing(missing), kAbout);
     }
-    isBusy = true;
-    do {
-      isStale = false;
-      const current = engine.peek();
-      const drawn = picture.peek();
-      const { value } = comparison;
-      if (!current || !drawn || value.kind !== "gpu") {
-        break;
-      }
-      try {
-        const request = { scene: scene.peek(), width: drawn.width, height: drawn.height, ...(isPictureFinal.peek() ? {} : { samples: 1 }) };
-        const gpuScene = await current.gpuScene(request, view.canDrawLinear);
-        await view.prepare(gpuScene, (key) => current.gpuGeometry(key));
-        view.draw(gpuScene);
-        const missing = gpuScene.missing.join(", ");
-        if (missing === "") {
-          retract(kAbout);
-        } else {
-          say("note", words.peek().missing(missing), kAbout);
-        }
-        if (picture.peek() === drawn) {
-          const difference = differenceOf(drawn.bytes, straight(view.read()), value.gain);
-          gpuDifference.value = { ...difference, of: drawn };
-          differencePicture.value = { width: drawn.width, height: drawn.height, bytes: difference.bytes };
-        }
-      } catch (problem) {
-        if (!isAborted(problem)) {
-          sayError(problem, kAbout);
-        }
-      }
-    } while (isStale);
-    isBusy = false;
-  };
+    if (picture.peek() === drawn) {
+      const difference = differenceOf(drawn.bytes, straight(view.read()), value.gain);
+      gpuDifference.value = { ...difference, width: drawn.width, height: drawn.height, of: drawn };
+    }
+  } catch (problem) {
+    if (!isAborted(problem)) {
+      sayError(problem, kAbout);
+    }
+  }
+}
+
+/** After each picture of the stage; only the latest is of interest. */
+function follow(view: GpuView): () => void {
+  const again = newestOnly(() => draw(view));
   return effect(() => {
     void picture.value;
     void comparison.value;
-    void draw();
+    again();
   });
 }
 
@@ -91,7 +82,6 @@ export function GpuLayer() {
       view.dispose();
       retract(kAbout);
       gpuDifference.value = undefined;
-      differencePicture.value = undefined;
     };
   }, []);
   const { value } = comparison;
@@ -114,7 +104,7 @@ export function GpuLayer() {
       {value.show === "difference" && (
         <div class="split">
           <div class="split-pane">
-            <BytesCanvas picture={differencePicture.value} testid="gpu-difference" />
+            <BytesCanvas picture={found} testid="gpu-difference" />
           </div>
         </div>
       )}

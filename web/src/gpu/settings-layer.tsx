@@ -5,6 +5,7 @@ import type { Picture } from "../engine/types";
 import { comparedScenes, comparison } from "../state/compare";
 import { engine } from "../state/engine";
 import { isAborted, retract, sayError } from "../state/messages";
+import { newestOnly } from "../state/newest";
 import { isPictureFinal, picture } from "../state/picture";
 import { scene } from "../state/scene";
 import { BytesCanvas } from "./picture-canvas";
@@ -15,49 +16,34 @@ const kAbout = "compare";
 /** `of`: the stage's picture that they lie over, `how`: what they differ in. */
 const sides = signal<{ left: Picture; right: Picture; of: Picture; how: ReturnType<typeof comparedScenes.peek> } | undefined>(undefined);
 
-/** Draws both sides again after each picture of the stage; only the latest is of interest. */
+/** Draws both sides as the stage's picture is drawn. */
+async function draw(): Promise<void> {
+  const current = engine.peek();
+  const how = comparedScenes.peek();
+  const of = picture.peek();
+  if (!current || !how || !of) {
+    return;
+  }
+  const request = { width: of.width, height: of.height, ...(isPictureFinal.peek() ? {} : { samples: 1 }) };
+  try {
+    const left = await current.render({ ...request, scene: how.left }, true);
+    const right = await current.render({ ...request, scene: how.right }, true);
+    sides.value = { left, right, of, how };
+    retract(kAbout);
+  } catch (problem) {
+    if (!isAborted(problem)) {
+      sayError(problem, kAbout);
+    }
+  }
+}
+
+/** After each picture of the stage; only the latest is of interest. */
 function follow(): () => void {
-  let isBusy = false;
-  let isStale = false;
-  const draw = async () => {
-    const current = engine.peek();
-    const scenes = comparedScenes.peek();
-    const shown = picture.peek();
-    if (!current || !scenes || !shown) {
-      return;
-    }
-    if (isBusy) {
-      isStale = true;
-      return;
-    }
-    isBusy = true;
-    do {
-      isStale = false;
-      const now = comparedScenes.peek();
-      const size = picture.peek();
-      if (!now || !size) {
-        break;
-      }
-      const request = { width: size.width, height: size.height, ...(isPictureFinal.peek() ? {} : { samples: 1 }) };
-      try {
-        const [left, right] = [
-          await current.render({ ...request, scene: now.left }, true),
-          await current.render({ ...request, scene: now.right }, true),
-        ];
-        sides.value = { left, right, of: size, how: now };
-        retract(kAbout);
-      } catch (problem) {
-        if (!isAborted(problem)) {
-          sayError(problem, kAbout);
-        }
-      }
-    } while (isStale);
-    isBusy = false;
-  };
+  const again = newestOnly(draw);
   return effect(() => {
     void picture.value;
     void comparedScenes.value;
-    void draw();
+    again();
   });
 }
 

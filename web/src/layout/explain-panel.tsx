@@ -2,6 +2,7 @@
 import { words } from "../i18n";
 import { selectedPixel } from "../state/selection";
 import { entriesOf } from "../state/slots";
+import { IconButton } from "./icon-button";
 import { Icon } from "./icons";
 
 export function ExplainPanel() {
@@ -20,9 +21,7 @@ export function ExplainPanel() {
     <div class="explain" data-testid="explain">
       <header class="section-head">
         <h2>{t.pixel(pixel.x, pixel.y)}</h2>
-        <button class="tool small" type="button" title={t.clear} aria-label={t.clear} onClick={() => (selectedPixel.value = undefined)}>
-          <Icon name="close" />
-        </button>
+        <IconButton icon="close" label={t.clear} isSmall onClick={() => (selectedPixel.value = undefined)} />
       </header>
       {entriesOf("explain").map(({ id, component: Component }) => (
         <Component key={id} />

@@ -3,7 +3,7 @@ import { words } from "../i18n";
 import { canRedo, canUndo, redo, undo } from "../state/scene";
 import { language, showsHelp, theme, type Theme } from "../state/settings";
 import { entriesOf } from "../state/slots";
-import { Icon } from "./icons";
+import { IconButton } from "./icon-button";
 import { Logo } from "./logo";
 
 const kNextTheme: Record<Theme, Theme> = { system: "light", light: "dark", dark: "system" };
@@ -11,18 +11,7 @@ const kNextTheme: Record<Theme, Theme> = { system: "light", light: "dark", dark:
 function ThemeButton() {
   const t = words.value;
   const text = `${t.header.theme}: ${t.themes[theme.value]}`;
-  return (
-    <button
-      class="tool"
-      type="button"
-      title={text}
-      aria-label={text}
-      data-testid="theme"
-      onClick={() => (theme.value = kNextTheme[theme.value])}
-    >
-      <Icon name={theme.value} />
-    </button>
-  );
+  return <IconButton icon={theme.value} label={text} testid="theme" onClick={() => (theme.value = kNextTheme[theme.value])} />;
 }
 
 function LanguageButton() {
@@ -55,39 +44,15 @@ export function Header() {
         ))}
       </nav>
       <div class="header-tools end">
-        <button
-          class="tool"
-          type="button"
-          title={t.header.undo}
-          aria-label={t.header.undo}
-          disabled={!canUndo.value}
-          data-testid="undo"
-          onClick={undo}
-        >
-          <Icon name="undo" />
-        </button>
-        <button
-          class="tool"
-          type="button"
-          title={t.header.redo}
-          aria-label={t.header.redo}
-          disabled={!canRedo.value}
-          data-testid="redo"
-          onClick={redo}
-        >
-          <Icon name="redo" />
-        </button>
-        <button
-          class="tool"
-          type="button"
-          aria-pressed={showsHelp.value === "on"}
-          title={t.panel.showHelp}
-          aria-label={t.panel.showHelp}
-          data-testid="show-help"
+        <IconButton icon="undo" label={t.header.undo} isDisabled={!canUndo.value} testid="undo" onClick={undo} />
+        <IconButton icon="redo" label={t.header.redo} isDisabled={!canRedo.value} testid="redo" onClick={redo} />
+        <IconButton
+          icon="help"
+          label={t.panel.showHelp}
+          isPressed={showsHelp.value === "on"}
+          testid="show-help"
           onClick={() => (showsHelp.value = showsHelp.value === "on" ? "off" : "on")}
-        >
-          <Icon name="help" />
-        </button>
+        />
         <LanguageButton />
         <ThemeButton />
       </div>

@@ -1,7 +1,7 @@
 // What the page has to say, at the foot of the stage; screen readers hear it.
 import { words } from "../i18n";
 import { dismiss, messages, type Message } from "../state/messages";
-import { Icon } from "./icons";
+import { IconButton } from "./icon-button";
 
 function Entry({ message }: { message: Message }) {
   const t = words.value.messages;
@@ -10,9 +10,7 @@ function Entry({ message }: { message: Message }) {
       <p>
         <strong>{t[message.kind]}</strong> {message.text}
       </p>
-      <button class="tool small" type="button" aria-label={t.dismiss} title={t.dismiss} onClick={() => dismiss(message.id)}>
-        <Icon name="close" />
-      </button>
+      <IconButton icon="close" label={t.dismiss} isSmall onClick={() => dismiss(message.id)} />
     </li>
   );
 }

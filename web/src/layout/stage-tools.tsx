@@ -4,15 +4,11 @@ import { frameAll } from "../stage/camera";
 import { pixelToStage } from "../stage/projection";
 import { selectedPixel } from "../state/selection";
 import { register } from "../state/slots";
-import { Icon } from "./icons";
+import { IconButton } from "./icon-button";
 
 function FrameButton() {
   const text = words.value.stage.frame;
-  return (
-    <button class="tool" type="button" title={`${text} (F)`} aria-label={text} data-testid="frame" onClick={frameAll}>
-      <Icon name="frame" />
-    </button>
-  );
+  return <IconButton icon="frame" label={text} title={`${text} (F)`} testid="frame" onClick={frameAll} />;
 }
 
 function PixelMark() {

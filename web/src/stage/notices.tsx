@@ -2,7 +2,7 @@
 import { signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { words } from "../i18n";
-import { Icon } from "../layout/icons";
+import { IconButton } from "../layout/icon-button";
 import { engineStatus } from "../state/engine";
 import { isDrawing, picture } from "../state/picture";
 import { selectedPixel } from "../state/selection";
@@ -29,15 +29,7 @@ function Hint() {
   return (
     <p class="hint" data-testid="hint">
       <span>{isTouch ? t.stage.touchHint : t.stage.hint}</span>
-      <button
-        class="tool small"
-        type="button"
-        aria-label={t.messages.dismiss}
-        title={t.messages.dismiss}
-        onClick={() => (hint.value = "read")}
-      >
-        <Icon name="close" />
-      </button>
+      <IconButton icon="close" label={t.messages.dismiss} isSmall onClick={() => (hint.value = "read")} />
     </p>
   );
 }

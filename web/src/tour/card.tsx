@@ -1,6 +1,7 @@
 // The card of a lesson: what the step says, what it asks, what is said to an answer, and the way on.
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import { Tex } from "../explain/tex";
+import { IconButton } from "../layout/icon-button";
 import { Icon } from "../layout/icons";
 import { isSheetOpen, language } from "../state/settings";
 import { goTo } from "./highlight";
@@ -200,19 +201,8 @@ export default function Card() {
             {t("lesson")} {at.lesson + 1}: {spoken(chosen.title)}
           </button>
         </p>
-        <button type="button" class="tool small" title={t("reset")} aria-label={t("reset")} data-testid="tour-repeat" onClick={repeatStep}>
-          <Icon name="reset" />
-        </button>
-        <button
-          type="button"
-          class="tool small"
-          title={t("leave")}
-          aria-label={t("leave")}
-          data-testid="tour-leave"
-          onClick={() => leave()}
-        >
-          <Icon name="close" />
-        </button>
+        <IconButton icon="reset" label={t("reset")} isSmall testid="tour-repeat" onClick={repeatStep} />
+        <IconButton icon="close" label={t("leave")} isSmall testid="tour-leave" onClick={() => leave()} />
       </header>
       <ol class="tour-steps" aria-label={`${t("step")} ${at.step + 1} ${t("of")} ${chosen.steps.length}`}>
         {chosen.steps.map((_, index) => (

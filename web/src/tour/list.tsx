@@ -1,6 +1,6 @@
 // The list of lessons, a dialog: which are done, where to go on.
 import { useEffect, useRef } from "preact/hooks";
-import { Icon } from "../layout/icons";
+import { IconButton } from "../layout/icon-button";
 import { lessons } from "./lessons";
 import { isListOpen, startLesson } from "./player";
 import { progress } from "./progress";
@@ -26,9 +26,7 @@ export default function List() {
       <div class="tour-list-inner">
         <header class="section-head">
           <h2 id="tour-list-title">{t("title")}</h2>
-          <button type="button" class="tool small" title={t("close")} aria-label={t("close")} data-testid="tour-list-close" onClick={close}>
-            <Icon name="close" />
-          </button>
+          <IconButton icon="close" label={t("close")} isSmall testid="tour-list-close" onClick={close} />
         </header>
         <p>{t("intro")}</p>
         <ol>
