@@ -17,35 +17,52 @@
 // NOLINTBEGIN(cppcoreguidelines-pro-type-member-init)
 namespace lustro::HWY_NAMESPACE {
 
+/// One of something for each vertex.
+template <class T>
+using Three = std::array<T, 3>;
+
+/// The vertices of kLanes triangles of one mesh, and what its lists say of them.
+struct Vertices {
+  Three<Int> index;
+  const Record* only;  // where all lanes show one triangle
+
+  [[nodiscard]] HWY_INLINE Vec3<Float> look_up(const std::vector<Vec3f>& list, std::size_t i) const {
+    return only != nullptr ? vec_cast<Float>(list[only->vertex[i]]) : gather(list, index[i]);
+  }
+  [[nodiscard]] HWY_INLINE Vec2<Float> look_up(const std::vector<Vec2f>& list, std::size_t i) const {
+    return only != nullptr ? Vec2<Float>{Float(list[only->vertex[i]].x), Float(list[only->vertex[i]].y)} : gather(list, index[i]);
+  }
+  [[nodiscard]] HWY_INLINE std::array<Float, 4> look_up(const std::vector<std::array<float, 4>>& list, std::size_t i) const {
+    if (only != nullptr) {
+      const std::array<float, 4>& four = list[only->vertex[i]];
+      return {Float(four[0]), Float(four[1]), Float(four[2]), Float(four[3])};
+    }
+    return gather(list, index[i]);
+  }
+  [[nodiscard]] HWY_INLINE Float look_up(const std::vector<float>& list, std::size_t i) const {
+    return only != nullptr ? Float(list[only->vertex[i]]) : gather(list.data(), index[i]);
+  }
+  template <class List>
+  [[nodiscard]] HWY_INLINE Three<Vec3<Float>> look_up(const List& list) const {
+    return {look_up(list, 0), look_up(list, 1), look_up(list, 2)};
+  }
+};
+
 /// kLanes triangles of one instance and material.
 struct Faces {
   const PreparedScene& scene;
   const Instance& instance;
   const ShadingMaterial& material;
-  std::array<Int, 3> vertices;
-  const Record* only;                  // where all lanes show one triangle
-  Float side;                          // -1 where the back is seen and lit with its normals turned round
-  std::array<Vec3<Float>, 3> normals;  // of the vertices, as the mesh states them; not for flat interpolation
+  Vertices vertices;
+  Float side;                  // -1 where the back is seen and lit with its normals turned round
+  Three<Vec3<Float>> normals;  // of the vertices, as the mesh states them; not for flat interpolation
 
-  [[nodiscard]] HWY_INLINE Vec3<Float> at_vertex(const std::vector<Vec3f>& list, std::size_t i) const {
-    return only != nullptr ? vec_cast<Float>(list[only->vertex[i]]) : gather(list, vertices[i]);
-  }
-  [[nodiscard]] Vec3<Float> stated_position(std::size_t i) const { return at_vertex(instance.mesh->positions, i); }
-  [[nodiscard]] std::array<Float, 4> stated_tangent(std::size_t i) const {
-    if (only != nullptr) {
-      const std::array<float, 4>& t = instance.mesh->tangents[only->vertex[i]];
-      return {Float(t[0]), Float(t[1]), Float(t[2]), Float(t[3])};
-    }
-    return gather(instance.mesh->tangents, vertices[i]);
-  }
+  [[nodiscard]] Vec3<Float> stated_position(std::size_t i) const { return vertices.look_up(instance.mesh->positions, i); }
+  [[nodiscard]] std::array<Float, 4> stated_tangent(std::size_t i) const { return vertices.look_up(instance.mesh->tangents, i); }
   [[nodiscard]] Vec2<Float> stated_uv(std::size_t set, std::size_t i) const {
-    const std::vector<Vec2f>& uvs = set == 0 ? instance.mesh->uvs : instance.mesh->uvs1;
-    return only != nullptr ? Vec2<Float>{Float(uvs[only->vertex[i]].x), Float(uvs[only->vertex[i]].y)} : gather(uvs, vertices[i]);
+    return vertices.look_up(set == 0 ? instance.mesh->uvs : instance.mesh->uvs1, i);
   }
-  [[nodiscard]] Float stated_alpha(std::size_t i) const {
-    const std::vector<float>& alphas = instance.mesh->alphas;
-    return only != nullptr ? Float(alphas[only->vertex[i]]) : gather(alphas.data(), vertices[i]);
-  }
+  [[nodiscard]] Float stated_alpha(std::size_t i) const { return vertices.look_up(instance.mesh->alphas, i); }
   [[nodiscard]] Vec3<Float> position(std::size_t i) const { return instance.relative_from_object(stated_position(i)); }
   [[nodiscard]] const Vec3<Float>& stated_normal(std::size_t i) const { return normals[i]; }
   [[nodiscard]] Vec3<Float> normal(std::size_t i) const {
@@ -67,8 +84,7 @@ struct Faces {
 
   [[nodiscard]] HWY_INLINE Vec3<Float> normal_at(NormalInterpolation mode, const Weights<Float>& w) const {
     const bool turns_once = instance.is_similarity;
-    const std::array<Vec3<Float>, 3> n = turns_once ? std::array<Vec3<Float>, 3>{stated_normal(0), stated_normal(1), stated_normal(2)}
-                                                    : std::array<Vec3<Float>, 3>{normal(0), normal(1), normal(2)};
+    const Three<Vec3<Float>> n = turns_once ? normals : Three<Vec3<Float>>{normal(0), normal(1), normal(2)};
     const Vec3<Float> sum = weighted_sum(n, w);
     Vec3<Float> fallback{};
     if (HWY_UNLIKELY(any_of(dot(sum, sum) < Float(1e-12F)))) {  // where normals cancel, and only there, the face's is needed
@@ -83,7 +99,7 @@ struct Faces {
     if (colors.empty()) {
       return {Float(1), Float(1), Float(1)};
     }
-    return weighted_sum<Float>({at_vertex(colors, 0), at_vertex(colors, 1), at_vertex(colors, 2)}, w);
+    return weighted_sum<Float>(vertices.look_up(colors), w);
   }
 };
 
@@ -112,6 +128,15 @@ HWY_INLINE Float edge_of(Int from_x, Int from_y, Int to_x, Int to_y, Int px, Int
 
 /// The words of a record by their place.
 enum RecordWord : std::size_t { word_x = 0, word_y = 3, word_inverse_area = 6, word_key = 7, word_vertex = 10, word_flags = 15 };
+
+HWY_INLINE Vertices vertices_of(const Words& words, const Record* only) {
+  return {{words[word_vertex], words[word_vertex + 1], words[word_vertex + 2]}, only};
+}
+
+/// Faces::side
+HWY_INLINE Float side_of(const Shading& shading, Int flags) {
+  return shading.two_sided ? select((flags & Int(Record::kBack)) > Int(0), Float(-1), Float(1)) : Float(1);
+}
 
 /// The weights of clipped triangles' vertices, or their slopes, lane by lane: rare.
 inline HWY_NOINLINE void unclip(const Frame& frame, Int flags, const Mask& clipped, const Weights<Float>& at, Weights<Float>& weights) {
@@ -198,13 +223,30 @@ HWY_INLINE WeightSlopes<Float> slopes_at(const Frame& frame, const Words& words,
   return {at_vertices(frame, flags, corners.dx), at_vertices(frame, flags, corners.dy)};
 }
 
-/// kLanes fragments of one material, ready to be lit.
+/// kLanes fragments of one material, ready to be lit. Everything is made where it stays: what is cleared first, or copied, goes through memory.
 struct Batch {
   FragmentPlaces at;
   Faces faces;
   Vec3<Float> position;
   Vec3<Float> normal;          // where it is asked for
   WeightSlopes<Float> slopes;  // where the material has maps, or a map of its opacity
+
+  HWY_INLINE Batch(const Frame& frame, const Instance& instance, const ShadingMaterial& material, const Vertices& vertices, const Words& words,
+                   Int px, Int py, bool needs_normal)
+      : at(locate(frame, words, px, py)),
+        faces{.scene = *frame.scene,
+              .instance = instance,
+              .material = material,
+              .vertices = vertices,
+              .side = side_of(frame.scene->shading, words[word_flags]),
+              .normals = is_flat() ? Three<Vec3<Float>>{} : vertices.look_up(instance.mesh->normals)},
+        position(frame.scene->view.point_at(at.x, at.y, at.depth)),
+        normal(!needs_normal ? Vec3<Float>{}
+               : is_flat()   ? faces.face_normal()
+                             : faces.normal_at(frame.scene->shading.normals, at.weights)),
+        slopes(HWY_UNLIKELY(material.maps.has_any() || material.opacity.has_map) ? slopes_at(frame, words, at) : WeightSlopes<Float>{}) {}
+
+  [[nodiscard]] HWY_INLINE bool is_flat() const { return faces.scene.shading.interpolation == Interpolation::flat; }
 };
 
 /// What the maps say of a batch.
@@ -239,26 +281,8 @@ HWY_INLINE Batch make_batch(const Frame& frame, const TileScratch& s, const Tile
     store(record.data(), select(is_used, load(&fragments.record[begin]), Int(static_cast<std::int32_t>(fragments.record[begin]))));
     transpose(records, record.data(), words);
   }
-  const FragmentPlaces at = locate(frame, words, px, py);
-  const Mask is_back = (words[word_flags] & Int(Record::kBack)) > Int(0);
-  Faces faces{scene,    instance,
-              material, {words[word_vertex], words[word_vertex + 1], words[word_vertex + 2]},
-              only,     scene.shading.two_sided ? select(is_back, Float(-1), Float(1)) : Float(1),
-              {}};
-  if (scene.shading.interpolation != Interpolation::flat) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      faces.normals[i] = faces.at_vertex(instance.mesh->normals, i);
-    }
-  }
-  Vec3<Float> normal{};
-  if (needs_normal && (scene.shading.interpolation == Interpolation::phong || frame.wants_all || HWY_UNLIKELY(material.maps.reflects))) {
-    normal = scene.shading.interpolation == Interpolation::flat ? faces.face_normal() : faces.normal_at(scene.shading.normals, at.weights);
-  }
-  Batch batch{at, faces, scene.view.point_at(at.x, at.y, at.depth), normal, {}};
-  if (HWY_UNLIKELY(material.maps.has_any() || material.opacity.has_map)) {
-    batch.slopes = slopes_at(frame, words, at);
-  }
-  return batch;
+  const bool is_asked_for = scene.shading.interpolation == Interpolation::phong || frame.wants_all || material.maps.reflects;
+  return {frame, instance, material, vertices_of(words, only), words, px, py, needs_normal && is_asked_for};
 }
 
 /// The opacity of what catches shadows, but for its strength.

@@ -36,6 +36,8 @@ struct Shader {
   std::size_t pixels = 0;
   std::array<WaitingPixel, TileScratch::kFragments> waiting;
   PixelSums pieces;  // of the pixel of which not all pieces are there
+
+  HWY_INLINE Shader(const Frame& frame_, TileScratch& s_) : frame(frame_), s(s_) {}
 };
 
 HWY_INLINE void add_part(TileScratch& s, std::uint32_t record, std::int32_t x, std::int32_t y, float amount) {
@@ -308,6 +310,19 @@ inline HWY_NOINLINE void store_sky(const Frame& frame, int x, int y, std::size_t
   }
 }
 
+/// A pixel's bytes, `count` times.
+HWY_INLINE void store_repeated(std::uint8_t* bytes, std::int32_t pixel, std::size_t count) {
+  std::size_t i = 0;
+  for (; i + kLanes <= count; i += kLanes) {
+    alignas(64) std::array<std::int32_t, kLanes> pixels;
+    store(pixels.data(), Int(pixel));
+    std::memcpy(bytes + 4 * i, pixels.data(), sizeof pixels);
+  }
+  for (; i < count; ++i) {
+    std::memcpy(bytes + 4 * i, &pixel, sizeof pixel);
+  }
+}
+
 /// Pixels x .. x + count of row y show the background.
 HWY_INLINE void store_background(const Frame& frame, int x, int y, std::size_t count) {
   if (HWY_UNLIKELY(frame.scene->sky.has_value())) {
@@ -316,9 +331,7 @@ HWY_INLINE void store_background(const Frame& frame, int x, int y, std::size_t c
   }
   const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.scene->view.width) + static_cast<std::size_t>(x);
   if (frame.bytes != nullptr) {
-    for (std::size_t i = 0; i < count; ++i) {
-      std::memcpy(frame.bytes + 4 * (first + i), frame.background.bytes.data(), 4);
-    }
+    store_repeated(frame.bytes + 4 * first, std::bit_cast<std::int32_t>(frame.background.bytes), count);
   }
   if (frame.color != nullptr) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -410,7 +423,7 @@ inline HWY_NOINLINE void shade_rows(Shader& shader, std::size_t tile, int top, i
 inline void shade_tile(const Frame& frame, std::size_t tile, TileScratch& s) {
   s.area = frame.area(tile);
   s.sheet_count = 0;
-  Shader shader{frame, s, 0, {}, {}};
+  Shader shader(frame, s);
   const TileArea& area = s.area;
   if (HWY_LIKELY((frame.alpha_modes & bit_of(AlphaMode::blend)) == 0)) {
     shade_rows(shader, tile, area.top, area.bottom);

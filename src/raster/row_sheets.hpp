@@ -52,15 +52,16 @@ inline HWY_NOINLINE Float opacity_at_points(const Frame& frame, const Record& t,
   repeat(reinterpret_cast<const std::uint32_t*>(&t), words);
   const FragmentPlaces at = locate(frame, words, select(inside, px, Int(x[first])), select(inside, py, Int(y[first])));
   const Instance& instance = scene.instances[frame.material_instance[t.material]];
-  const float side = scene.shading.two_sided && (t.flags & Record::kBack) != 0 ? -1.0F : 1.0F;
-  Faces faces{scene,       instance, scene.materials[t.material], {words[word_vertex], words[word_vertex + 1], words[word_vertex + 2]}, &t,
-              Float(side), {}};
-  const ShadingOpacity& stated = faces.material.opacity;
-  if (stated.has_halo && scene.shading.interpolation != Interpolation::flat) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      faces.normals[i] = faces.at_vertex(instance.mesh->normals, i);
-    }
-  }
+  const ShadingMaterial& material = scene.materials[t.material];
+  const ShadingOpacity& stated = material.opacity;
+  const Vertices vertices = vertices_of(words, &t);
+  const bool needs_normals = stated.has_halo && scene.shading.interpolation != Interpolation::flat;
+  const Faces faces{.scene = scene,
+                    .instance = instance,
+                    .material = material,
+                    .vertices = vertices,
+                    .side = side_of(scene.shading, words[word_flags]),
+                    .normals = needs_normals ? vertices.look_up(instance.mesh->normals) : Three<Vec3<Float>>{}};
   return opacity_of(faces, at, stated.has_map ? slopes_at(frame, words, at) : WeightSlopes<Float>{});
 }
 

@@ -75,14 +75,12 @@ class FaceNormals {
       hn::Vec<IntTag> vertices[4], last[4];
       words_from(word_vertex, vertices);
       words_from(word_flags - 3, last);
-      const Mask is_back = (Int(last[3]) & Int(Record::kBack)) > Int(0);
-      const Faces faces{scene,
-                        run_.instance,
-                        run_.material,
-                        {Int(vertices[0]), Int(vertices[1]), Int(vertices[2])},
-                        nullptr,
-                        scene.shading.two_sided ? select(is_back, Float(-1), Float(1)) : Float(1),
-                        {}};
+      const Faces faces{.scene = scene,
+                        .instance = run_.instance,
+                        .material = run_.material,
+                        .vertices = {{Int(vertices[0]), Int(vertices[1]), Int(vertices[2])}, nullptr},
+                        .side = side_of(scene.shading, last[3]),
+                        .normals = {}};
       const Vec3<Float> normal = faces.face_normal();
       store(&normals_[0][i], normal.x);
       store(&normals_[1][i], normal.y);

@@ -60,6 +60,14 @@ HWY_INLINE Mask operator<=(Float a, Float b) { return hn::Le(a.v, b.v); }
 HWY_INLINE Mask operator>=(Float a, Float b) { return hn::Ge(a.v, b.v); }
 HWY_INLINE Mask operator==(Float a, Float b) { return hn::Eq(a.v, b.v); }
 HWY_INLINE Float select(Mask m, Float a, Float b) { return hn::IfThenElse(m.m, a.v, b.v); }
+#if HWY_TARGET == HWY_SCALAR
+#elif HWY_ARCH_X86  // maxps and minps are these comparisons in one instruction: the second operand where either is NaN or both are zeros
+HWY_INLINE Float lane_max(Float a, Float b) { return hn::Max(a.v, b.v); }
+HWY_INLINE Float lane_min(Float a, Float b) { return hn::Min(a.v, b.v); }
+#elif HWY_ARCH_WASM  // pmax(x, y) = x < y ? y : x
+HWY_INLINE Float lane_max(Float a, Float b) { return hn::Vec<FloatTag>{wasm_f32x4_pmax(b.v.raw, a.v.raw)}; }
+HWY_INLINE Float lane_min(Float a, Float b) { return hn::Vec<FloatTag>{wasm_f32x4_pmin(b.v.raw, a.v.raw)}; }
+#endif
 HWY_INLINE Float square_root(Float a) { return hn::Sqrt(a.v); }
 HWY_INLINE Float sqrt(Float a) { return hn::Sqrt(a.v); }
 
@@ -104,11 +112,21 @@ HWY_INLINE Int gather(const std::int32_t* p, Int index) { return hn::GatherIndex
 HWY_INLINE Int gather(const std::uint32_t* p, Int index) { return hn::GatherIndex(kInts, reinterpret_cast<const std::int32_t*>(p), index.v); }
 /// The lanes of a mask as bits, the first the lowest.
 HWY_INLINE std::uint32_t mask_bits(Mask m) {
+#if HWY_TARGET == HWY_SSE4
+  return static_cast<std::uint32_t>(_mm_movemask_ps(m.m.raw));
+#elif HWY_TARGET == HWY_AVX2
+  return static_cast<std::uint32_t>(_mm256_movemask_ps(m.m.raw));
+#elif HWY_TARGET == HWY_AVX3
+  return m.m.raw;
+#elif HWY_TARGET == HWY_WASM
+  return wasm_i32x4_bitmask(m.m.raw);
+#else
   alignas(8) std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(kFloats, m.m, bytes);
   return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8;
+#endif
 }
-HWY_INLINE std::size_t count_true(Mask m) { return hn::CountTrue(kFloats, m.m); }
+HWY_INLINE std::size_t count_true(Mask m) { return static_cast<std::size_t>(__builtin_popcount(mask_bits(m))); }
 /// The lanes of a mask, one after the other; kLanes entries are written. (Some processors need a hundred cycles to store fewer.)
 #if HWY_TARGET == HWY_AVX2  // GCC copies the table of Highway's own Compress to the stack at every call
 /// Of every mask of eight lanes: the chosen lanes' numbers, four bits each, the first the lowest.
@@ -125,6 +143,22 @@ HWY_INLINE void store_chosen(Mask m, std::int32_t* p, Int a) {
   const auto fours = hn::ShiftLeft<2>(hn::Iota(kUints, 0));
   const auto lanes = hn::And(hn::Shr(hn::Set(kUints, kChosenLanes[mask_bits(m)]), fours), hn::Set(kUints, 7));
   hn::StoreU(hn::TableLookupLanes(a.v, hn::IndicesFromVec(kInts, lanes)), kInts, p);
+}
+#elif HWY_TARGET == HWY_WASM  // Highway 1.0 looks bytes up one by one
+/// Of every mask of four lanes: the bytes of the chosen ones.
+alignas(16) inline constexpr auto kChosenBytes = [] {
+  std::array<std::array<std::uint8_t, 16>, 16> result{};
+  for (std::uint32_t mask = 0; mask < 16; ++mask) {
+    for (std::uint32_t lane = 0, count = 0; lane < 4; ++lane) {
+      for (std::uint32_t byte = 0; byte < 4 && (mask >> lane & 1) != 0; ++byte) {
+        result[mask][count++] = static_cast<std::uint8_t>(4 * lane + byte);
+      }
+    }
+  }
+  return result;
+}();
+HWY_INLINE void store_chosen(Mask m, std::int32_t* p, Int a) {
+  wasm_v128_store(p, wasm_i8x16_swizzle(a.v.raw, wasm_v128_load(kChosenBytes[mask_bits(m)].data())));
 }
 #else
 HWY_INLINE void store_chosen(Mask m, std::int32_t* p, Int a) { hn::StoreU(hn::Compress(a.v, hn::RebindMask(kInts, m.m)), kInts, p); }
@@ -220,7 +254,11 @@ HWY_INLINE TwoPairs<Float> gather_pairs(const float* p, Int first, Int second) {
 }
 
 /// Lane i is p[index of lane i], one of the first kLanes.
+#if HWY_TARGET == HWY_WASM
+HWY_INLINE Float choose_lanes(const float* p, Int index) { return gather(p, index); }
+#else
 HWY_INLINE Float choose_lanes(const float* p, Int index) { return hn::TableLookupLanes(hn::LoadU(kFloats, p), hn::IndicesFromVec(kFloats, index.v)); }
+#endif
 
 /// The opposite: the four words of lane i are stored at out + 4 i.
 HWY_INLINE void store_quads(Int a, Int b, Int c, Int d, std::int32_t* out) {
