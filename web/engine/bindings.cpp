@@ -35,8 +35,8 @@ class Binding {
   std::string open(const std::string& entry) {
     return answered([&] { return lab_.open(entry); });
   }
-  std::string render(const std::string& scene, int width, int height, int samples, bool wants_hash, int share, int shares) {
-    return answered([&] { return lab_.render({scene, width, height, samples}, wants_hash, share, shares); });
+  std::string render(const std::string& scene, int width, int height, int samples, bool floats, bool hash, int share, int shares) {
+    return answered([&] { return lab_.render({scene, width, height, samples}, {.floats = floats, .hash = hash}, share, shares); });
   }
   std::string explain(const std::string& scene, int width, int height, int samples, int x, int y) {
     return answered([&] { return lab_.explain({scene, width, height, samples}, x, y); });

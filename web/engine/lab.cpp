@@ -71,6 +71,11 @@ Bounds world_bounds(const Object& object) {
   return bounds;
 }
 
+Json times_answer(const RenderTimes& times) {
+  return {{"prepare", json_number(times.prepare)},       {"shadows", json_number(times.shadows)}, {"cull", json_number(times.cull)},
+          {"visibility", json_number(times.visibility)}, {"shading", json_number(times.shading)}, {"total", json_number(times.total)}};
+}
+
 /// The triangle that the pixel shows first, in the world.
 Json triangle_json(const Scene& scene, const FragmentExplanation& fragment) {
   const Object& object = scene.objects.at(static_cast<std::size_t>(fragment.object));
@@ -119,7 +124,7 @@ std::string Lab::open(const std::string& entry) {
   load_key_ = load_key_of(Json::parse(text_));
   mesh_key_ = mesh_key_of(Json::parse(text_));
   load_notes_ = {};  // told below, once
-  ++generation_;
+  note_load();
   return answer(
       {{"scene", Json::parse(text_)}, {"notes", note_list(loaded->notes)}, {"cameras", loaded->cameras}, {"animations", loaded->animations}});
 }
@@ -146,13 +151,27 @@ Result<const Scene*> Lab::scene_of(const std::string& text) {
       return tl::unexpected(notes.error());
     }
     load_notes_ = *std::move(notes);
-    load_key_ = std::move(key);
-    mesh_key_ = mesh_key_of(json);
-    ++generation_;
   }
+  const bool is_new = key != load_key_;
   scene_ = *std::move(parsed);
   text_ = text;
+  if (is_new) {
+    load_key_ = std::move(key);
+    mesh_key_ = mesh_key_of(json);
+    note_load();
+  }
   return &scene_;
+}
+
+void Lab::note_load() {
+  ++generation_;
+  bounds_ = {};
+  for (const Object& object : scene_.objects) {
+    if (const Bounds part = world_bounds(object); !part.is_empty()) {
+      bounds_.include(part.lower);
+      bounds_.include(part.upper);
+    }
+  }
 }
 
 Result<Scene> Lab::scene_of(const PictureRequest& request) {
@@ -170,12 +189,12 @@ Result<Scene> Lab::scene_of(const PictureRequest& request) {
   return scene;
 }
 
-std::string Lab::render(const PictureRequest& request, bool wants_hash, int share, int shares) {
+std::string Lab::render(const PictureRequest& request, const PictureWants& wants, int share, int shares) {
   const auto scene = scene_of(request);
   if (!scene) {
     return error_answer(scene.error());
   }
-  const RenderOptions options{.threads = 1, .store_color = true, .store_bytes = true, .share = {share, shares}};
+  const RenderOptions options{.threads = 1, .store_color = wants.floats || wants.hash, .store_bytes = true, .share = {share, shares}};
   if (const auto done = renderer_.render(*scene, options, rendering_); !done) {
     return error_answer(done.error());
   }
@@ -185,26 +204,16 @@ std::string Lab::render(const PictureRequest& request, bool wants_hash, int shar
   }
   Notes notes = load_notes_;
   notes.insert(notes.end(), rendering_.notes.begin(), rendering_.notes.end());
-  Json json{{"width", rendering_.color.width},
-            {"height", rendering_.color.height},
-            {"bands", std::move(bands)},
-            {"milliseconds", json_number(rendering_.times.total)},
-            {"triangles", rendering_.stats.triangles},
-            {"pixelsCovered", rendering_.stats.pixels_covered}};
-  if (wants_hash) {
+  Json json{
+      {"width", rendering_.bytes.width},         {"height", rendering_.bytes.height},       {"bands", std::move(bands)},
+      {"times", times_answer(rendering_.times)}, {"triangles", rendering_.stats.triangles}, {"pixelsCovered", rendering_.stats.pixels_covered}};
+  if (wants.hash) {
     json["hash"] = fmt::format("{:016x}", hash_image(rendering_.color));
   }
   if (share == 0) {
-    Bounds bounds;
-    for (const Object& object : scene->objects) {
-      if (const Bounds part = world_bounds(object); !part.is_empty()) {
-        bounds.include(part.lower);
-        bounds.include(part.upper);
-      }
-    }
     json["view"] = view_answer(rendering_.camera, scene->image);
-    json["view"]["lower"] = json_vector(bounds.is_empty() ? Vec3d{} : bounds.lower);
-    json["view"]["upper"] = json_vector(bounds.is_empty() ? Vec3d{} : bounds.upper);
+    json["view"]["lower"] = json_vector(bounds_.is_empty() ? Vec3d{} : bounds_.lower);
+    json["view"]["upper"] = json_vector(bounds_.is_empty() ? Vec3d{} : bounds_.upper);
     json["lights"] = light_list(rendering_.lights);
     json["notes"] = note_list(notes);
   }

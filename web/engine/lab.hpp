@@ -24,6 +24,12 @@ struct PictureRequest {
   int samples = 0;
 };
 
+/// What is made of it beside the bytes.
+struct PictureWants {
+  bool floats = false;  ///< Rendering::color
+  bool hash = false;
+};
+
 /// Vertices as WebGL takes them.
 struct Geometry {
   std::vector<float> positions, normals, centers;
@@ -39,7 +45,7 @@ class Lab {
   [[nodiscard]] std::string open(const std::string& entry);
 
   /// Picture, but for its pixels.
-  [[nodiscard]] std::string render(const PictureRequest& request, bool wants_hash, int share, int shares);
+  [[nodiscard]] std::string render(const PictureRequest& request, const PictureWants& wants, int share, int shares);
   [[nodiscard]] const Rendering& rendering() const { return rendering_; }
 
   /// Explanation.
@@ -64,6 +70,7 @@ class Lab {
   [[nodiscard]] Result<const Scene*> scene_of(const std::string& text);
   [[nodiscard]] Result<Scene> scene_of(const PictureRequest& request);
   [[nodiscard]] Result<void> prepare_for_gpu(const PictureRequest& request);
+  void note_load();
 
   std::string folder_ = kFiles;  ///< that the objects' sources are relative to
   std::string entry_;
@@ -75,6 +82,7 @@ class Lab {
   Scene scene_;
   Notes load_notes_;
   std::uint64_t generation_ = 0;  ///< counts loads: geometry of another one is another
+  Bounds bounds_;                 ///< of the load: of all objects where they stand
 
   Renderer renderer_;
   Rendering rendering_;

@@ -1,7 +1,7 @@
 // What web/engine/bindings.cpp gives to JavaScript. The module itself is built by scripts/lab.
 export interface LabHandle {
   open(entry: string): string;
-  render(scene: string, width: number, height: number, samples: number, hash: boolean, share: number, shares: number): string;
+  render(scene: string, width: number, height: number, samples: number, floats: boolean, hash: boolean, share: number, shares: number): string;
   explain(scene: string, width: number, height: number, samples: number, x: number, y: number): string;
   meshes(scene: string): string;
   gpuScene(scene: string, width: number, height: number, samples: number, linear: boolean): string;

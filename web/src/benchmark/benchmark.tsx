@@ -1,6 +1,7 @@
 // The page's benchmark mode (`?benchmark`, or `?benchmark=2000` for milliseconds a measurement): a table instead of the lab.
 import { signal } from "@preact/signals";
 import { render } from "preact";
+import type { StageTimes } from "../engine/types";
 import { errorText } from "../state/messages";
 import { measure, type Report, type Times } from "./measure";
 
@@ -30,6 +31,13 @@ function ratioOf(a: Times | undefined, b: Times | undefined): string {
   return a && b ? `${(a.median / b.median).toFixed(2)} × three.js` : "";
 }
 
+function stagesOf({ prepare, cull, visibility, shading }: StageTimes): string {
+  const stages = { prepare, cull, visibility, shading };
+  return Object.entries(stages)
+    .map(([name, time]) => `${name} ${time.toFixed(2)}`)
+    .join(" + ");
+}
+
 function Benchmark() {
   const found = report.value;
   return (
@@ -53,7 +61,7 @@ function Benchmark() {
             </tr>
           </thead>
           <tbody>
-            <Row name="engine, one worker" times={found.engineOneWorker} />
+            <Row name="engine, one worker" times={found.engineOneWorker} note={stagesOf(found.engineStages)} />
             <Row name={`engine, ${found.workers} workers`} times={found.engineAllWorkers} />
             <Row name="WebGL2, Lustro's shaders" times={found.webgl} note={ratioOf(found.webgl, found.three)} />
             <Row name="WebGL2, three.js, MeshPhongMaterial" times={found.three} />

@@ -1,6 +1,6 @@
 // Times of the page on this machine: the engine on one worker and on all, a drag, WebGL2 by the engine's shaders, and three.js showing the same.
 // Answers are checked before they are timed.
-import type { Engine, GpuScene, RenderRequest } from "../engine/types";
+import type { Engine, GpuScene, RenderRequest, StageTimes } from "../engine/types";
 import { createEngine } from "../engine/client";
 import { differenceOf, straight } from "../gpu/difference";
 import { GpuView } from "../gpu/gpu-view";
@@ -17,6 +17,8 @@ export interface Report {
   triangles: number;
   /** milliseconds a picture, calls included */
   engineOneWorker: Times;
+  /** the engine's own clock, one worker: the median of each stage */
+  engineStages: StageTimes;
   engineAllWorkers: Times;
   workers: number;
   /** pictures a second while the camera turns, at the size that the page chooses then */
@@ -54,11 +56,24 @@ function turned(request: RenderRequest, angle: number): RenderRequest {
   return { ...request, scene: { ...request.scene, camera: { ...request.scene.camera, eye } } };
 }
 
-async function engineTimes(engine: Engine, milliseconds: number): Promise<Times> {
+async function engineTimes(engine: Engine, milliseconds: number): Promise<{ times: Times; stages: StageTimes }> {
   let angle = 0;
-  return repeated(milliseconds, async () => {
-    await engine.render(turned(kRequest, (angle += 0.01)), true);
+  const stages: StageTimes[] = [];
+  const times = await repeated(milliseconds, async () => {
+    stages.push((await engine.render(turned(kRequest, (angle += 0.01)), true)).times);
   });
+  const medianOf = (name: keyof StageTimes) => timesOf(stages.map((stage) => stage[name])).median;
+  return {
+    times,
+    stages: {
+      prepare: medianOf("prepare"),
+      shadows: medianOf("shadows"),
+      cull: medianOf("cull"),
+      visibility: medianOf("visibility"),
+      shading: medianOf("shading"),
+      total: medianOf("total"),
+    },
+  };
 }
 
 /** As stage/render-loop.ts draws while the camera is dragged: the size follows the time. */
@@ -95,17 +110,18 @@ export async function measure(milliseconds: number, say: (what: string) => void)
   say("one worker");
   const single = await createEngine({ threads: 1 });
   const picture = await single.render(kRequest, true);
-  const engineOneWorker = await engineTimes(single, milliseconds);
+  const oneWorker = await engineTimes(single, milliseconds);
   say("all workers");
   const engine = await createEngine();
   await engine.complete();
-  const engineAllWorkers = await engineTimes(engine, milliseconds);
+  const allWorkers = await engineTimes(engine, milliseconds);
   say("a drag");
   const { rate, width } = await drag(engine, milliseconds);
   const report: Report = {
     triangles: picture.triangles,
-    engineOneWorker,
-    engineAllWorkers,
+    engineOneWorker: oneWorker.times,
+    engineStages: oneWorker.stages,
+    engineAllWorkers: allWorkers.times,
     workers: engine.info.threads,
     dragRate: rate,
     dragWidth: width,

@@ -96,6 +96,16 @@ export interface RenderRequest {
   hash?: boolean;
 }
 
+/** milliseconds; RenderTimes of include/lustro/render.hpp */
+export interface StageTimes {
+  prepare: number;
+  shadows: number;
+  cull: number;
+  visibility: number;
+  shading: number;
+  total: number;
+}
+
 export interface Picture {
   width: number;
   height: number;
@@ -105,7 +115,10 @@ export interface Picture {
   floats?: Float32Array<ArrayBuffer>;
   /** 16 hexadecimal digits, those of `lustro hash`; where asked for */
   hash?: string;
+  /** of the whole call */
   milliseconds: number;
+  /** of it, what the first worker's engine took for its share, stage by stage */
+  times: StageTimes;
   triangles: number;
   pixelsCovered: number;
   view: ViewInfo;

@@ -6,7 +6,7 @@ import { decodePicture, preparePictures } from "./pictures";
 import type { EngineFile, Explanation, GpuGeometry, GpuScene, MeshInfo, Opened, OptionGroup, Picture } from "./types";
 
 /** A picture's rows as one worker drew them. */
-export interface SharePicture extends Omit<Picture, "bytes" | "floats"> {
+export interface SharePicture extends Omit<Picture, "bytes" | "floats" | "milliseconds"> {
   /** rows of pixels, [begin, end) */
   bands: [number, number][];
   /** the bands one after the other */
@@ -116,7 +116,7 @@ const api = {
   ): Answer<SharePicture> {
     return guarded(() => {
       const drawer = wants.aside ? (aside ??= new module.Lab()) : lab;
-      const drawn = answer<SharePicture>(drawer.render(scene, width, height, samples, wants.hash, share, shares));
+      const drawn = answer<SharePicture>(drawer.render(scene, width, height, samples, wants.floats, wants.hash, share, shares));
       if ("error" in drawn) {
         return drawn;
       }

@@ -28,7 +28,7 @@ export async function nodeEngine(): Promise<Pick<Engine, "render" | "explain">> 
   const lab = new module.Lab();
   return {
     async render({ scene, width, height, samples, floats, hash }: RenderRequest): Promise<Picture> {
-      const head = parsed<Picture>(lab.render(JSON.stringify(scene), width, height, samples ?? 0, hash ?? false, 0, 1));
+      const head = parsed<Picture>(lab.render(JSON.stringify(scene), width, height, samples ?? 0, floats ?? false, hash ?? false, 0, 1));
       head.bytes = new Uint8ClampedArray(lab.bytes());
       if (floats) {
         head.floats = new Float32Array(lab.floats());
