@@ -6,12 +6,11 @@ import { isAborted, retract, sayError } from "../state/messages";
 import { withValue } from "../state/path";
 import { fullRequest, isPictureFinal } from "../state/picture";
 import { isDragging } from "../state/scene";
-import { profileLine } from "./state";
+import { isProfileComparing, profileLine } from "./state";
 
 export type Shown = "current" | "flat" | "gouraud" | "phong";
 export const kInterpolations = ["flat", "gouraud", "phong"] as const;
 
-export const isComparing = signal(false);
 export const isMeasuring = signal(false);
 /** of the request, by what they show; those that are not asked for yet are missing */
 export const profilePictures = signal<Partial<Record<Shown, Picture>>>({});
@@ -20,7 +19,7 @@ let request: RenderRequest | undefined;
 let isRunning = false;
 
 function wanted(): Shown[] {
-  return isComparing.peek() ? [...kInterpolations] : ["current"];
+  return isProfileComparing.peek() ? [...kInterpolations] : ["current"];
 }
 
 async function draw(): Promise<void> {
@@ -64,7 +63,7 @@ export function startMeasuring(): () => void {
       isPictureFinal.value &&
       !isDragging.value &&
       fullRequest.value &&
-      isComparing.value !== undefined;
+      isProfileComparing.value !== undefined;
     if (isReady && !isRunning) {
       untracked(() => void draw());
     }

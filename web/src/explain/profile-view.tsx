@@ -1,6 +1,5 @@
 // The profile: how bright the picture is along the line, for this picture or for the three interpolations at once, with the pixels themselves
 // below the curves.
-import { signal } from "@preact/signals";
 import { useEffect, useLayoutEffect, useMemo, useRef } from "preact/hooks";
 import type { Picture } from "../engine/types";
 import { kPlotLeft, kPlotRight, LinePlot, type LineSeries } from "../plots/line-plot";
@@ -10,11 +9,9 @@ import { selectedPixel } from "../state/selection";
 import { pointerTool } from "../state/slots";
 import { kLineTool, placeOfPixel, removeLine } from "./line-tool";
 import { differenceOf, placesAlong, stripOf, valuesAt, type ProfilePlace } from "./profile";
-import { isComparing, isMeasuring, kInterpolations, profilePictures, startMeasuring, type Shown } from "./profile-pictures";
-import { profileCalls, profileCursor, profileLine } from "./state";
+import { isMeasuring, kInterpolations, profilePictures, startMeasuring, type Shown } from "./profile-pictures";
+import { isProfileComparing, isProfileEncoded, profileCalls, profileCursor, profileLine } from "./state";
 import { explainWords } from "./words";
-
-const isEncoded = signal(false);
 
 const kLooks: Record<(typeof kInterpolations)[number], Pick<LineSeries, "color" | "dash" | "width">> = {
   flat: { color: "--plot-flat", dash: [2, 3], width: 1.6 },
@@ -46,7 +43,7 @@ const extent = (values: readonly number[]) => ({
 
 function Current({ picture, places }: { picture: Picture; places: readonly ProfilePlace[] }) {
   const t = explainWords.value;
-  const encoded = isEncoded.value;
+  const encoded = isProfileEncoded.value;
   const values = useMemo(() => valuesAt(picture.floats!, picture.width, places, encoded), [picture, places, encoded]);
   const x = useMemo(() => places.map(({ distance }) => distance), [places]);
   const series: LineSeries[] = useMemo(
@@ -77,7 +74,7 @@ function Current({ picture, places }: { picture: Picture; places: readonly Profi
 
 function Compared({ pictures, places }: { pictures: Record<(typeof kInterpolations)[number], Picture>; places: readonly ProfilePlace[] }) {
   const t = explainWords.value;
-  const encoded = isEncoded.value;
+  const encoded = isProfileEncoded.value;
   const curves = useMemo(
     () =>
       kInterpolations.map((name) => ({ name, values: valuesAt(pictures[name].floats!, pictures[name].width, places, encoded).luminance })),
@@ -161,10 +158,10 @@ function Plots() {
   const { width, height } = fullSize.value;
   const places = useMemo(() => placesAlong(line, width, height), [line, width, height]);
   const fits = (shown: Shown) => pictures[shown]?.width === width && pictures[shown].height === height;
-  if (isComparing.value && kInterpolations.every(fits)) {
+  if (isProfileComparing.value && kInterpolations.every(fits)) {
     return <Compared pictures={pictures as Record<(typeof kInterpolations)[number], Picture>} places={places} />;
   }
-  if (!isComparing.value && fits("current")) {
+  if (!isProfileComparing.value && fits("current")) {
     return <Current picture={pictures.current!} places={places} />;
   }
   return <p class="x-note">{isMeasuring.value || !isPictureFinal.value ? `${t.measuring} …` : ""}</p>;
@@ -231,8 +228,8 @@ export function ProfileView() {
               <input
                 type="radio"
                 name="profile-mode"
-                checked={!isComparing.value}
-                onChange={() => (isComparing.value = false)}
+                checked={!isProfileComparing.value}
+                onChange={() => (isProfileComparing.value = false)}
                 data-testid="profile-current"
               />{" "}
               {t.current}
@@ -241,8 +238,8 @@ export function ProfileView() {
               <input
                 type="radio"
                 name="profile-mode"
-                checked={isComparing.value}
-                onChange={() => (isComparing.value = true)}
+                checked={isProfileComparing.value}
+                onChange={() => (isProfileComparing.value = true)}
                 data-testid="profile-compare"
               />{" "}
               {t.compareShading}
@@ -250,8 +247,8 @@ export function ProfileView() {
             <label>
               <input
                 type="checkbox"
-                checked={isEncoded.value}
-                onChange={(event) => (isEncoded.value = event.currentTarget.checked)}
+                checked={isProfileEncoded.value}
+                onChange={(event) => (isProfileEncoded.value = event.currentTarget.checked)}
                 data-testid="profile-encoded"
               />{" "}
               {t.encodedScale}

@@ -2,7 +2,7 @@
 import { numberTex, numberText, percentText } from "../plots/number";
 import { fullRequest } from "../state/picture";
 import type { Explanation, Vec3 } from "../engine/types";
-import { chooseChannel, channel } from "./state";
+import { chosenChannel, channel } from "./state";
 import { isZero, kTerms, luminance, type Channel } from "./equation";
 import { Triple, Triples, named } from "./rows";
 import { Tex } from "./tex";
@@ -49,7 +49,7 @@ function ChannelChoice() {
       <legend class="visually-hidden">{t.channel}</legend>
       {[t.red, t.green, t.blue].map((name, i) => (
         <label key={i} title={`${t.channel}: ${name}`}>
-          <input type="radio" name="explain-channel" checked={channel.value === i} onChange={() => chooseChannel(i as Channel)} />
+          <input type="radio" name="explain-channel" checked={channel.value === i} onChange={() => (chosenChannel.value = i as Channel)} />
           <span class={`x-channel-${i}`}>{"RGB"[i]}</span>
         </label>
       ))}

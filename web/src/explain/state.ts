@@ -16,16 +16,13 @@ export const explainFailure = signal<string | undefined>(undefined);
 /** Of the pixel under the pointer. */
 export const hoveredExplanation = signal<Explanation | undefined>(undefined);
 
-const chosenChannel = signal<Channel | undefined>(undefined);
+export const chosenChannel = signal<Channel | undefined>(undefined);
 
 /** The channel in the formulas: the brightest, unless one was chosen. */
 export const channel: ReadonlySignal<Channel> = computed(() => {
   const rgb = shownExplanation.value?.color.slice(0, 3) ?? [1, 0, 0];
   return chosenChannel.value ?? (rgb.indexOf(Math.max(...rgb)) as Channel);
 });
-export function chooseChannel(value: Channel): void {
-  chosenChannel.value = value;
-}
 
 export type DrawnName = "N" | "L" | "V" | "R" | "H" | "lights" | "triangle";
 export const kDrawn: readonly DrawnName[] = ["N", "L", "V", "R", "H", "lights", "triangle"];
@@ -68,6 +65,12 @@ export interface Place {
   y: number;
 }
 export const profileLine = signal<{ from: Place; to: Place } | undefined>(undefined);
+
+/** The profile shows flat, Gouraud and Phong shading, not the picture's own channels. */
+export const isProfileComparing = signal(false);
+
+/** The profile's values are as they are stored (sRGB), not linear. */
+export const isProfileEncoded = signal(false);
 
 /** Where on the line the plot's cursor stands, 0..1. */
 export const profileCursor = signal<number | undefined>(undefined);

@@ -1,6 +1,20 @@
-// What is seen besides the scene: which pictures are compared and how, the pixel and the object that are chosen. A link restores it, too.
+// What is seen besides the scene: which pictures are compared and how, the pixel and the object that are chosen, what Explain shows of them. A
+// link restores it, too.
 import { batch, effect } from "@preact/signals";
 import { movedPixel } from "../explain/ask";
+import type { Channel } from "../explain/equation";
+import {
+  chosenChannel,
+  chosenLight,
+  drawn,
+  isProfileComparing,
+  isProfileEncoded,
+  kDrawn,
+  profileCursor,
+  profileLine,
+  type DrawnName,
+  type Place,
+} from "../explain/state";
 import { splitLayout } from "../gpu/split";
 import { comparison, wipe, type Changes, type Comparison } from "../state/compare";
 import { fullSize } from "../state/picture";
@@ -17,22 +31,59 @@ export interface Sight {
   pixel?: { x: number; y: number; width: number; height: number };
   /** where it is not the first */
   object?: number;
+  explain?: ExplainSight;
+}
+
+/** What Explain shows where it is not what it starts with. */
+export interface ExplainSight {
+  /** of the profile */
+  line?: { from: Place; to: Place };
+  isComparing?: true;
+  isEncoded?: true;
+  light?: number;
+  channel?: Channel;
+  /** what is not drawn in the picture */
+  hidden?: DrawnName[];
 }
 
 const kMiddle = 0.5;
 const kMostSide = 1 << 20;
+
+function currentExplainSight(): ExplainSight {
+  const hidden = kDrawn.filter((name) => !drawn.value[name]);
+  return {
+    ...(profileLine.value ? { line: profileLine.value } : {}),
+    ...(isProfileComparing.value ? { isComparing: true } : {}),
+    ...(isProfileEncoded.value ? { isEncoded: true } : {}),
+    ...(chosenLight.value === undefined ? {} : { light: chosenLight.value }),
+    ...(chosenChannel.value === undefined ? {} : { channel: chosenChannel.value }),
+    ...(hidden.length > 0 ? { hidden } : {}),
+  };
+}
+
+function showExplainSight({ line, isComparing, isEncoded, light, channel, hidden = [] }: ExplainSight): void {
+  profileLine.value = line;
+  profileCursor.value = undefined;
+  isProfileComparing.value = isComparing ?? false;
+  isProfileEncoded.value = isEncoded ?? false;
+  chosenLight.value = light;
+  chosenChannel.value = channel;
+  drawn.value = Object.fromEntries(kDrawn.map((name) => [name, !hidden.includes(name)])) as Record<DrawnName, boolean>;
+}
 
 /** Reads the signals: an effect that calls it follows them. */
 export function currentSight(): Sight {
   const { value: compare } = comparison;
   const { value: pixel } = selectedPixel;
   const { width, height } = fullSize.value;
+  const explain = currentExplainSight();
   return {
     ...(compare.kind === "none" ? {} : { compare }),
     ...(compare.kind === "none" || wipe.value === kMiddle ? {} : { wipe: wipe.value }),
     ...(compare.kind === "none" || splitLayout.value === "wipe" ? {} : { isSideBySide: true }),
     ...(pixel && width > 0 ? { pixel: { ...pixel, width, height } } : {}),
     ...(selectedObject.value === 0 ? {} : { object: selectedObject.value }),
+    ...(Object.keys(explain).length > 0 ? { explain } : {}),
   };
 }
 
@@ -40,7 +91,7 @@ export function currentSight(): Sight {
 let stopWaiting = () => {};
 
 /** Shows it; what it does not state is as at the page's start. */
-export function showSight({ compare, wipe: at, isSideBySide, pixel, object }: Sight): void {
+export function showSight({ compare, wipe: at, isSideBySide, pixel, object, explain = {} }: Sight): void {
   stopWaiting();
   batch(() => {
     comparison.value = compare ?? { kind: "none" };
@@ -48,6 +99,7 @@ export function showSight({ compare, wipe: at, isSideBySide, pixel, object }: Si
     splitLayout.value = isSideBySide ? "side" : "wipe";
     selectedPixel.value = undefined;
     selectObject(object ?? 0);
+    showExplainSight(explain);
   });
   if (pixel) {
     const stop = effect(() => {
@@ -97,16 +149,45 @@ function readPixel(value: unknown): Sight["pixel"] {
   return x < width && y < height ? { x, y, width, height } : undefined;
 }
 
+const isShare = (value: unknown): value is number => typeof value === "number" && value >= 0 && value <= 1;
+const isPlace = (value: unknown): value is { x: number; y: number } => isTable(value) && isShare(value["x"]) && isShare(value["y"]);
+
+function readLine(value: unknown): ExplainSight["line"] {
+  if (!isTable(value)) {
+    return undefined;
+  }
+  const { from, to } = value;
+  return isPlace(from) && isPlace(to) ? { from: { x: from.x, y: from.y }, to: { x: to.x, y: to.y } } : undefined;
+}
+
+function readExplainSight(value: unknown): ExplainSight {
+  const table = isTable(value) ? value : {};
+  const line = readLine(table["line"]);
+  const channel = ([0, 1, 2] as const).find((number) => number === table["channel"]);
+  const { light, hidden: names } = table;
+  const hidden = kDrawn.filter((name) => Array.isArray(names) && names.includes(name));
+  return {
+    ...(line ? { line } : {}),
+    ...(table["isComparing"] === true ? { isComparing: true } : {}),
+    ...(table["isEncoded"] === true ? { isEncoded: true } : {}),
+    ...(Number.isInteger(light) && (light as number) >= 0 ? { light: light as number } : {}),
+    ...(channel === undefined ? {} : { channel }),
+    ...(hidden.length > 0 ? { hidden } : {}),
+  };
+}
+
 /** Of a link: what is not understood is left out. */
 export function readSight(value: unknown): Sight {
   const table = isTable(value) ? value : {};
   const [compare, pixel] = [readComparison(table["compare"]), readPixel(table["pixel"])];
   const { wipe: at, object } = table;
+  const explain = readExplainSight(table["explain"]);
   return {
     ...(compare ? { compare } : {}),
-    ...(typeof at === "number" && at >= 0 && at <= 1 ? { wipe: at } : {}),
+    ...(isShare(at) ? { wipe: at } : {}),
     ...(table["isSideBySide"] === true ? { isSideBySide: true } : {}),
     ...(pixel ? { pixel } : {}),
     ...(Number.isInteger(object) && (object as number) > 0 ? { object: object as number } : {}),
+    ...(Object.keys(explain).length > 0 ? { explain } : {}),
   };
 }

@@ -91,10 +91,21 @@ it("plots the light along a drawn line, for this picture and for the three inter
   expect(await page.getByTestId("line-tool").getAttribute("aria-pressed")).toBe("false");
   expect(await page.getByTestId("profile-plot").getAttribute("aria-label")).toMatch(/\d/);
 
+  const address = () => page.evaluate(() => location.hash);
+  await expect.poll(address, { message: "the address follows" }).not.toBe("");
+  const plain = await address();
   await page.getByTestId("profile-compare").click();
   await page.getByTestId("profile-difference").waitFor();
   const errors = (await page.getByTestId("profile-errors").locator("td").allInnerTexts()).map(Number).filter((error) => error > 0);
   expect(errors.length, "flat and Gouraud differ from Phong").toBe(4);
+
+  const wayOf = (shown: Page) => shown.getByTestId("profile-line").locator("path").getAttribute("d");
+  await expect.poll(address).not.toBe(plain);
+  const other = await openLab({ hash: await address() });
+  await other.page.getByTestId("tab-explain").click();
+  await other.page.getByTestId("profile-difference").waitFor();
+  expect(await wayOf(other.page), "the link holds the line").toBe(await wayOf(page));
+  await other.close();
 
   await page.getByTestId("profile-plot").focus();
   await page.keyboard.press("End");

@@ -2,7 +2,8 @@ import { deflateSync, strToU8 } from "fflate";
 import { afterEach, describe, expect, test } from "vitest";
 import { splitLayout } from "../../src/gpu/split";
 import { linkHash, readLink } from "../../src/files/link";
-import { currentSight, readSight, showSight, type Sight } from "../../src/files/sight";
+import { chosenChannel, chosenLight, drawn, isProfileComparing, isProfileEncoded, kDrawn, profileLine } from "../../src/explain/state";
+import { currentSight, readSight, showSight, type ExplainSight, type Sight } from "../../src/files/sight";
 import { comparison, wipe } from "../../src/state/compare";
 import { fullSize } from "../../src/state/picture";
 import { resetScene } from "../../src/state/scene";
@@ -12,6 +13,15 @@ const kCompared: Sight = {
   compare: { kind: "settings", left: [["shading.interpolation", "flat"]], right: [[["lights", 0, "type"], "point"]] },
   wipe: 0.25,
   isSideBySide: true,
+};
+
+const kExplained: ExplainSight = {
+  line: { from: { x: 0.25, y: 0.5 }, to: { x: 0.75, y: 0.125 } },
+  isComparing: true,
+  isEncoded: true,
+  light: 2,
+  channel: 1,
+  hidden: ["L", "triangle"],
 };
 
 afterEach(() => {
@@ -29,19 +39,23 @@ describe("what is seen besides the scene", () => {
   test("is shown and stated again, through a link", () => {
     resetScene({ objects: [{ mesh: "primitive:cube" }, { mesh: "primitive:torus" }] });
     fullSize.value = { width: 300, height: 200 };
-    const sight: Sight = { ...kCompared, pixel: { x: 20, y: 30, width: 300, height: 200 }, object: 1 };
+    const sight: Sight = { ...kCompared, pixel: { x: 20, y: 30, width: 300, height: 200 }, object: 1, explain: kExplained };
     showSight(readLink(linkHash({ scene: { objects: [] }, attached: [], files: [], sight }))!.sight!);
     expect([comparison.value, wipe.value, splitLayout.value]).toEqual([sight.compare, 0.25, "side"]);
     expect(selectedPixel.value).toEqual({ x: 20, y: 30 });
     expect(selectedObject.value).toBe(1);
     expect(currentSight()).toEqual(sight);
+    expect([profileLine.value, isProfileComparing.value, isProfileEncoded.value]).toEqual([kExplained.line, true, true]);
+    expect([chosenLight.value, chosenChannel.value, kDrawn.filter((name) => !drawn.value[name])]).toEqual([2, 1, ["L", "triangle"]]);
   });
 
   test("a link without it ends a comparison", () => {
-    showSight(kCompared);
+    showSight({ ...kCompared, explain: kExplained });
     showSight({});
     expect(currentSight()).toEqual({});
     expect([comparison.value.kind, wipe.value, splitLayout.value]).toEqual(["none", 0.5, "wipe"]);
+    expect([profileLine.value, chosenLight.value, chosenChannel.value]).toEqual([undefined, undefined, undefined]);
+    expect(Object.values(drawn.value)).not.toContain(false);
   });
 
   test("a pixel waits for the stage, and is the same place in a picture of another size", () => {
@@ -74,6 +88,10 @@ describe("a link's own words are not trusted", () => {
     { pixel: { x: 0.5, y: 0, width: 300, height: 200 } },
     { pixel: { x: 0, y: 0 } },
     { object: -1 },
+    { explain: { line: { from: { x: 0, y: 0 }, to: { x: 2, y: 0 } } } },
+    { explain: { line: { from: { x: 0, y: 0 } } } },
+    { explain: { light: 0.5, channel: 3, hidden: ["all"], isEncoded: 1 } },
+    { explain: [] },
     "all",
     null,
   ])("%j", (sight) => {
