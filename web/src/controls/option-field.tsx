@@ -10,7 +10,7 @@ import { pathSteps, pathText, type Path } from "../state/path";
 import { at, update } from "../state/scene";
 import { ColorField } from "./color-field";
 import { defaultValue, isAllowed, rangeText } from "./defaults";
-import { MatrixRow, NumberRow, sceneSize, stepOf, TermsRow, WordRow } from "./option-rows";
+import { MatrixRow, NumberRow, sceneSize, stepOf, TermsRow, WordRow, WrapRow } from "./option-rows";
 import { Row } from "./row";
 import { Switch } from "./switch";
 import { VectorField } from "./vector-field";
@@ -126,18 +126,7 @@ function Known({ name, path = name, implied, onValue, value: given, idle, pictur
     case "affine":
       return <MatrixRow {...{ common, option, value: value as number[], set }} />;
     case "wrap":
-      return (
-        <WordRow
-          {...{
-            common,
-            name,
-            option,
-            value: Array.isArray(value) ? String(value[0]) : (value as string),
-            isStated: own !== undefined,
-            set,
-          }}
-        />
-      );
+      return <WrapRow {...{ common, name, option, value: value as string | string[], set }} />;
     default:
       return null;
   }

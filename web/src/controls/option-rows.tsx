@@ -110,6 +110,9 @@ export function NumberRow({
   );
 }
 
+const segmentsOf = (name: string, option: Option) =>
+  option.words.map(({ word, help }) => ({ value: word, label: wordLabelOf(name, word), help: wordHelpOf(name, word, help) }));
+
 export function WordRow({
   common,
   name,
@@ -129,14 +132,9 @@ export function WordRow({
   pictures?: Readonly<Record<string, ComponentChildren>> | undefined;
   only?: readonly string[] | undefined;
 }) {
-  const segments = option.words
-    .filter(({ word }) => !only || only.includes(word))
-    .map(({ word, help }) => ({
-      value: word,
-      label: wordLabelOf(name, word),
-      help: wordHelpOf(name, word, help),
-      ...(pictures?.[word] ? { picture: pictures[word] } : {}),
-    }));
+  const segments = segmentsOf(name, option)
+    .filter(({ value }) => !only || only.includes(value))
+    .map((segment) => ({ ...segment, ...(pictures?.[segment.value] ? { picture: pictures[segment.value] } : {}) }));
   const asScene = { value: "", label: words.value.controls.asDefault, help: option.default };
   const choices = option.optional ? [asScene, ...segments] : segments;
   const current = option.optional && !isStated ? "" : (value ?? "");
@@ -225,6 +223,51 @@ export function MatrixRow({ common, option, value, set }: { common: Common; opti
             onValue={(next) => set(value.map((old, j) => (i === j ? next : old)))}
             testid={`${common.testid}-${i}`}
           />
+        ))}
+      </div>
+    </Row>
+  );
+}
+
+/** A word for each of a picture's axes, stated as one where they are the same. */
+export function WrapRow({
+  common,
+  name,
+  option,
+  value,
+  set,
+}: {
+  common: Common;
+  name: string;
+  option: Option;
+  value: string | readonly string[];
+  set: SetValue;
+}) {
+  const [u = "", v = u] = typeof value === "string" ? [value] : value;
+  const choices = segmentsOf(name, option);
+  const chosen = choices.filter((choice) => choice.value === u || choice.value === v);
+  const help = `${common.help}. ${chosen.map((choice) => `${choice.label}: ${choice.help}`).join(". ")}`;
+  const take = (nextU: string, nextV: string) => set(nextU === nextV ? nextU : [nextU, nextV]);
+  return (
+    <Row {...common} help={help} isGroup>
+      <div class="axis-words" role="group" aria-labelledby={`${common.id}-label`}>
+        {(
+          [
+            ["u", u, (word: string) => take(word, v)],
+            ["v", v, (word: string) => take(u, word)],
+          ] as const
+        ).map(([axis, word, onValue]) => (
+          <label key={axis}>
+            {axis}
+            <Select
+              id={`${common.id}-${axis}`}
+              help={help}
+              options={choices}
+              value={word}
+              onValue={onValue}
+              testid={`${common.testid}-input-${axis}`}
+            />
+          </label>
         ))}
       </div>
     </Row>

@@ -125,8 +125,27 @@ export async function operate(desk: Desk, control: Control): Promise<void> {
     case "color_alpha":
       await colorRow(desk, control, says, seen);
       break;
+    case "wrap": {
+      const before = String(valueAt(base.scene, path) ?? option.default);
+      const other = option.words.map(({ word }) => word).filter((word) => word !== before);
+      const looks = [base.picture];
+      for (const word of other) {
+        await page.getByTestId(`${input}-u`).selectOption(word);
+        await says("along u", [word, before]);
+        looks.push(await pictureMark(page));
+        await page.getByTestId(`${input}-v`).selectOption(word);
+        await says("along both", word);
+        looks.push(await pictureMark(page));
+        await page.getByTestId(`${input}-u`).selectOption(before);
+        await says("along v", [before, word]);
+        looks.push(await pictureMark(page));
+        await page.getByTestId(`${input}-v`).selectOption(before);
+      }
+      await says("as before", before);
+      expect(new Set(looks).size, "each looks its own way").toBe(looks.length);
+      break;
+    }
     case "word":
-    case "wrap":
       await chooseEach(
         desk,
         control,
