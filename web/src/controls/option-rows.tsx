@@ -258,7 +258,7 @@ export function WrapRow({
           ] as const
         ).map(([axis, word, onValue]) => (
           <label key={axis}>
-            {axis}
+            <span>{axis}</span>
             <Select
               id={`${common.id}-${axis}`}
               help={help}
