@@ -239,14 +239,14 @@ struct Batch {
               .material = material,
               .vertices = vertices,
               .side = side_of(frame.scene->shading, words[word_flags]),
-              .normals = is_flat() ? Three<Vec3<Float>>{} : vertices.look_up(instance.mesh->normals)},
+              .normals = is_flat(frame) ? Three<Vec3<Float>>{} : vertices.look_up(instance.mesh->normals)},
         position(frame.scene->view.point_at(at.x, at.y, at.depth)),
-        normal(!needs_normal ? Vec3<Float>{}
-               : is_flat()   ? faces.face_normal()
-                             : faces.normal_at(frame.scene->shading.normals, at.weights)),
+        normal(!needs_normal    ? Vec3<Float>{}
+               : is_flat(frame) ? faces.face_normal()
+                                : faces.normal_at(frame.scene->shading.normals, at.weights)),
         slopes(HWY_UNLIKELY(material.maps.has_any() || material.opacity.has_map) ? slopes_at(frame, words, at) : WeightSlopes<Float>{}) {}
 
-  [[nodiscard]] HWY_INLINE bool is_flat() const { return faces.scene.shading.interpolation == Interpolation::flat; }
+  [[nodiscard]] HWY_INLINE static bool is_flat(const Frame& frame) { return frame.scene->shading.interpolation == Interpolation::flat; }
 };
 
 /// What the maps say of a batch.
