@@ -126,7 +126,7 @@ function Known({ name, path = name, implied, onValue, value: given, idle, pictur
     case "affine":
       return <MatrixRow {...{ common, option, value: value as number[], set }} />;
     case "wrap":
-      return <WrapRow {...{ common, name, option, value: value as string | string[], set }} />;
+      return <WrapRow {...{ common, name, option, value, set }} />;
     default:
       return null;
   }

@@ -240,10 +240,12 @@ export function WrapRow({
   common: Common;
   name: string;
   option: Option;
-  value: string | readonly string[];
+  /** as a scene file states it, or something else */
+  value: unknown;
   set: SetValue;
 }) {
-  const [u = "", v = u] = typeof value === "string" ? [value] : value;
+  const stated: readonly unknown[] = Array.isArray(value) ? value : [value];
+  const [u = "", v = u] = stated.filter((word) => typeof word === "string");
   const choices = segmentsOf(name, option);
   const chosen = choices.filter((choice) => choice.value === u || choice.value === v);
   const help = `${common.help}. ${chosen.map((choice) => `${choice.label}: ${choice.help}`).join(". ")}`;

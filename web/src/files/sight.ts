@@ -36,8 +36,8 @@ export interface Sight {
 
 /** What Explain shows where it is not what it starts with. */
 export interface ExplainSight {
-  /** of the profile */
-  line?: { from: Place; to: Place };
+  /** of the profile, with width / height of the picture that it was drawn in */
+  line?: { from: Place; to: Place; aspect: number };
   isComparing?: true;
   isEncoded?: true;
   light?: number;
@@ -49,10 +49,10 @@ export interface ExplainSight {
 const kMiddle = 0.5;
 const kMostSide = 1 << 20;
 
-function currentExplainSight(): ExplainSight {
+function currentExplainSight({ width, height }: { width: number; height: number }): ExplainSight {
   const hidden = kDrawn.filter((name) => !drawn.value[name]);
   return {
-    ...(profileLine.value ? { line: profileLine.value } : {}),
+    ...(profileLine.value && width > 0 ? { line: { ...profileLine.value, aspect: width / height } } : {}),
     ...(isProfileComparing.value ? { isComparing: true } : {}),
     ...(isProfileEncoded.value ? { isEncoded: true } : {}),
     ...(chosenLight.value === undefined ? {} : { light: chosenLight.value }),
@@ -61,8 +61,13 @@ function currentExplainSight(): ExplainSight {
   };
 }
 
-function showExplainSight({ line, isComparing, isEncoded, light, channel, hidden = [] }: ExplainSight): void {
-  profileLine.value = line;
+/** The place in a picture of another shape that shows the same, as movedPixel() finds a pixel again. */
+function movedPlace({ x, y }: Place, from: number, to: number): Place {
+  return { x: Math.min(1, Math.max(0, (x - 0.5) * (from / to) + 0.5)), y };
+}
+
+function showExplainSight({ isComparing, isEncoded, light, channel, hidden = [] }: ExplainSight): void {
+  profileLine.value = undefined;
   profileCursor.value = undefined;
   isProfileComparing.value = isComparing ?? false;
   isProfileEncoded.value = isEncoded ?? false;
@@ -76,7 +81,7 @@ export function currentSight(): Sight {
   const { value: compare } = comparison;
   const { value: pixel } = selectedPixel;
   const { width, height } = fullSize.value;
-  const explain = currentExplainSight();
+  const explain = currentExplainSight(fullSize.value);
   return {
     ...(compare.kind === "none" ? {} : { compare }),
     ...(compare.kind === "none" || wipe.value === kMiddle ? {} : { wipe: wipe.value }),
@@ -87,7 +92,7 @@ export function currentSight(): Sight {
   };
 }
 
-/** A pixel that is chosen once the stage has a size. */
+/** Of a pixel and a line that are shown once the stage has a size. */
 let stopWaiting = () => {};
 
 /** Shows it; what it does not state is as at the page's start. */
@@ -101,13 +106,20 @@ export function showSight({ compare, wipe: at, isSideBySide, pixel, object, expl
     selectObject(object ?? 0);
     showExplainSight(explain);
   });
-  if (pixel) {
+  const { line } = explain;
+  if (pixel || line) {
     const stop = effect(() => {
       const size = fullSize.value;
       if (size.width > 0) {
         // Signals do not end an effect while it runs for the first time.
         queueMicrotask(() => stop());
-        selectedPixel.value = movedPixel(pixel, pixel, size);
+        if (pixel) {
+          selectedPixel.value = movedPixel(pixel, pixel, size);
+        }
+        if (line) {
+          const to = size.width / size.height;
+          profileLine.value = { from: movedPlace(line.from, line.aspect, to), to: movedPlace(line.to, line.aspect, to) };
+        }
       }
     });
     stopWaiting = stop;
@@ -156,8 +168,10 @@ function readLine(value: unknown): ExplainSight["line"] {
   if (!isTable(value)) {
     return undefined;
   }
-  const { from, to } = value;
-  return isPlace(from) && isPlace(to) ? { from: { x: from.x, y: from.y }, to: { x: to.x, y: to.y } } : undefined;
+  const { from, to, aspect } = value;
+  return isPlace(from) && isPlace(to) && typeof aspect === "number" && aspect > 1 / kMostSide && aspect < kMostSide
+    ? { from: { x: from.x, y: from.y }, to: { x: to.x, y: to.y }, aspect }
+    : undefined;
 }
 
 function readExplainSight(value: unknown): ExplainSight {

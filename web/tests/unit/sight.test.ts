@@ -15,8 +15,9 @@ const kCompared: Sight = {
   isSideBySide: true,
 };
 
+const kLine = { from: { x: 0.25, y: 0.5 }, to: { x: 0.75, y: 0.125 } };
 const kExplained: ExplainSight = {
-  line: { from: { x: 0.25, y: 0.5 }, to: { x: 0.75, y: 0.125 } },
+  line: { from: { x: 0.25, y: 0.5 }, to: { x: 0.75, y: 0.125 }, aspect: 1.5 },
   isComparing: true,
   isEncoded: true,
   light: 2,
@@ -45,7 +46,7 @@ describe("what is seen besides the scene", () => {
     expect(selectedPixel.value).toEqual({ x: 20, y: 30 });
     expect(selectedObject.value).toBe(1);
     expect(currentSight()).toEqual(sight);
-    expect([profileLine.value, isProfileComparing.value, isProfileEncoded.value]).toEqual([kExplained.line, true, true]);
+    expect([profileLine.value, isProfileComparing.value, isProfileEncoded.value]).toEqual([kLine, true, true]);
     expect([chosenLight.value, chosenChannel.value, kDrawn.filter((name) => !drawn.value[name])]).toEqual([2, 1, ["L", "triangle"]]);
   });
 
@@ -63,6 +64,16 @@ describe("what is seen besides the scene", () => {
     expect(selectedPixel.value).toBeUndefined();
     fullSize.value = { width: 800, height: 400 };
     expect(selectedPixel.value).toEqual({ x: 401, y: 201 });
+  });
+
+  test("a line waits for the stage, and lies on the same surface in a picture of another shape", () => {
+    showSight({ explain: kExplained });
+    expect(profileLine.value).toBeUndefined();
+    fullSize.value = { width: 300, height: 400 };
+    expect(profileLine.value).toEqual({ from: { x: 0, y: 0.5 }, to: { x: 1, y: 0.125 } });
+    showSight({ explain: kExplained });
+    fullSize.value = { width: 900, height: 300 };
+    expect(profileLine.value).toEqual({ from: { x: 0.375, y: 0.5 }, to: { x: 0.625, y: 0.125 } });
   });
 
   test("a pixel that waits gives way to what is shown after it", async () => {
@@ -88,7 +99,8 @@ describe("a link's own words are not trusted", () => {
     { pixel: { x: 0.5, y: 0, width: 300, height: 200 } },
     { pixel: { x: 0, y: 0 } },
     { object: -1 },
-    { explain: { line: { from: { x: 0, y: 0 }, to: { x: 2, y: 0 } } } },
+    { explain: { line: { from: { x: 0, y: 0 }, to: { x: 2, y: 0 }, aspect: 1 } } },
+    { explain: { line: { from: { x: 0, y: 0 }, to: { x: 1, y: 0 }, aspect: 0 } } },
     { explain: { line: { from: { x: 0, y: 0 } } } },
     { explain: { light: 0.5, channel: 3, hidden: ["all"], isEncoded: 1 } },
     { explain: [] },
