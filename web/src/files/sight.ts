@@ -63,6 +63,9 @@ function currentExplainSight({ width, height }: { width: number; height: number 
 
 /** The place in a picture of another shape that shows the same, as movedPixel() finds a pixel again. */
 function movedPlace({ x, y }: Place, from: number, to: number): Place {
+  if (from === to) {
+    return { x, y }; // to the last bit: a link that is opened stays as it is
+  }
   return { x: Math.min(1, Math.max(0, (x - 0.5) * (from / to) + 0.5)), y };
 }
 
