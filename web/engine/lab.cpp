@@ -121,12 +121,11 @@ std::string Lab::open(const std::string& entry) {
   opened_ = loaded->scene;
   scene_ = loaded->scene;
   text_ = scene_json(scene_);
-  load_key_ = load_key_of(Json::parse(text_));
-  mesh_key_ = mesh_key_of(Json::parse(text_));
   load_notes_ = {};  // told below, once
-  note_load();
+  Json json = Json::parse(text_);
+  note_load(json);
   return answer(
-      {{"scene", Json::parse(text_)}, {"notes", note_list(loaded->notes)}, {"cameras", loaded->cameras}, {"animations", loaded->animations}});
+      {{"scene", std::move(json)}, {"notes", note_list(loaded->notes)}, {"cameras", loaded->cameras}, {"animations", loaded->animations}});
 }
 
 Result<const Scene*> Lab::scene_of(const std::string& text) {
@@ -138,8 +137,8 @@ Result<const Scene*> Lab::scene_of(const std::string& text) {
     return tl::unexpected(parsed.error());
   }
   const Json json = Json::parse(text);
-  std::string key = load_key_of(json);
-  if (key == load_key_) {
+  const bool is_new = load_key_of(json) != load_key_;
+  if (!is_new) {
     parsed->objects = std::move(scene_.objects);
     parsed->environment = std::move(scene_.environment);
   } else {
@@ -152,19 +151,18 @@ Result<const Scene*> Lab::scene_of(const std::string& text) {
     }
     load_notes_ = *std::move(notes);
   }
-  const bool is_new = key != load_key_;
   scene_ = *std::move(parsed);
   text_ = text;
   if (is_new) {
-    load_key_ = std::move(key);
-    mesh_key_ = mesh_key_of(json);
-    note_load();
+    note_load(json);
   }
   return &scene_;
 }
 
-void Lab::note_load() {
+void Lab::note_load(const Json& json) {
   ++generation_;
+  load_key_ = load_key_of(json);
+  mesh_key_ = mesh_key_of(json);
   bounds_ = {};
   for (const Object& object : scene_.objects) {
     if (const Bounds part = world_bounds(object); !part.is_empty()) {

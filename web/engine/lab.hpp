@@ -70,7 +70,8 @@ class Lab {
   [[nodiscard]] Result<const Scene*> scene_of(const std::string& text);
   [[nodiscard]] Result<Scene> scene_of(const PictureRequest& request);
   [[nodiscard]] Result<void> prepare_for_gpu(const PictureRequest& request);
-  void note_load();
+  /// What follows from the scene that was loaded: scene_, stated by `json`.
+  void note_load(const Json& json);
 
   std::string folder_ = kFiles;  ///< that the objects' sources are relative to
   std::string entry_;

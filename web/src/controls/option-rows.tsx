@@ -163,19 +163,15 @@ export function WordRow({
   );
 }
 
-export function TermsRow({
-  common,
-  name,
-  option,
-  value,
-  set,
-}: {
+interface ValueRow<Value> {
   common: Common;
   name: string;
   option: Option;
-  value: readonly string[];
+  value: Value;
   set: SetValue;
-}) {
+}
+
+export function TermsRow({ common, name, option, value, set }: ValueRow<readonly string[]>) {
   const all = option.words.map(({ word }) => word);
   return (
     <Row {...common} isGroup isTall>
@@ -229,21 +225,8 @@ export function MatrixRow({ common, option, value, set }: { common: Common; opti
   );
 }
 
-/** A word for each of a picture's axes, stated as one where they are the same. */
-export function WrapRow({
-  common,
-  name,
-  option,
-  value,
-  set,
-}: {
-  common: Common;
-  name: string;
-  option: Option;
-  /** as a scene file states it, or something else */
-  value: unknown;
-  set: SetValue;
-}) {
+/** A word for each of a picture's axes, stated as one where they are the same. The value may be anything that a scene's text holds. */
+export function WrapRow({ common, name, option, value, set }: ValueRow<unknown>) {
   const stated: readonly unknown[] = Array.isArray(value) ? value : [value];
   const [u = "", v = u] = stated.filter((word) => typeof word === "string");
   const choices = segmentsOf(name, option);
