@@ -4,6 +4,7 @@ import { render } from "preact";
 import type { StageTimes } from "../engine/types";
 import { errorText } from "../state/messages";
 import { measure, type Report, type Times } from "./measure";
+import "./benchmark.css";
 
 declare global {
   interface Window {
