@@ -231,7 +231,10 @@ double reach_of(const Clusters& clusters, const Mesh& mesh, const Vec3d& directi
     const std::size_t end = std::min((group + 1) * Clusters::kGroup, clusters.clusters.size());
     for (std::size_t c = group * Clusters::kGroup; c < end; ++c) {
       const Cluster& cluster = clusters.clusters[c];
-      for (std::uint32_t i = 0; i < cluster.vertices && bound(cluster) > farthest; ++i) {
+      if (!(bound(cluster) > farthest)) {
+        continue;
+      }
+      for (std::uint32_t i = 0; i < cluster.vertices; ++i) {
         farthest = std::max(farthest, dot(direction, vec_cast<double>(mesh.positions[clusters.vertices[cluster.first_vertex + i]])));
       }
     }
