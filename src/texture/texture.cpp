@@ -202,6 +202,7 @@ class TextureMaker {
     for (std::size_t i = 2; i < texture_->levels_.size(); ++i) {
       before = next_level(before, texture_->levels_[i]);
     }
+    texture_->is_gray_ = pixels_.channels < 3 ? format_ != Texture::Format::float32 : is_gray(texture_->bytes_) || is_gray(texture_->unorms_);
     return texture_;
   }
 
@@ -217,6 +218,23 @@ class TextureMaker {
       level.row = level.width + 1;
       texture_->levels_.push_back(level);
     }
+  }
+
+  // Slice by slice: most pictures have a colour in their first one.
+  template <class T>
+  static bool is_gray(const std::vector<T>& rgba) {
+    constexpr std::size_t kSlice = 4096;
+    for (std::size_t begin = 0; begin < rgba.size(); begin += kSlice) {
+      const std::size_t end = std::min(begin + kSlice, rgba.size());
+      unsigned differs = 0;
+      for (std::size_t i = begin; i < end; i += 4) {
+        differs |= static_cast<unsigned>(rgba[i] ^ rgba[i + 1]) | static_cast<unsigned>(rgba[i] ^ rgba[i + 2]);
+      }
+      if (differs != 0) {
+        return false;
+      }
+    }
+    return !rgba.empty();
   }
 
   template <class T>

@@ -36,8 +36,9 @@ struct TextureLayout {
   const std::uint16_t* unorms = nullptr;
   const float* floats = nullptr;
   std::int32_t level_count = 0;
-  float unit = 1;   ///< the number that stands for 1: 255, 65535, or 1
-  float scale = 1;  ///< what a texel's number is multiplied by: 1 / unit
+  float unit = 1;        ///< the number that stands for 1: 255, 65535, or 1
+  float scale = 1;       ///< what a texel's number is multiplied by: 1 / unit
+  bool is_gray = false;  ///< red, green and blue are the same everywhere: one channel says it all; never of floats
 };
 
 /// Texels and mip levels, immutable.
@@ -63,7 +64,8 @@ class Texture {
             format == Format::float32 ? floats_.data() : nullptr,
             static_cast<std::int32_t>(levels_.size()),
             unit,
-            1.0F / unit};
+            1.0F / unit,
+            is_gray_};
   }
   /// RGBA of one texel of a level; x may be the width, which is column 0 again.
   [[nodiscard]] std::array<float, 4> texel(std::size_t level, int x, int y) const;
@@ -73,6 +75,7 @@ class Texture {
   Texture() = default;
 
   int channels_ = 4;
+  bool is_gray_ = false;
   std::vector<TextureLevel> levels_;  // the picture itself first, 1 x 1 last
   std::vector<std::uint8_t> bytes_;   // one of the three is not empty
   std::vector<std::uint16_t> unorms_;

@@ -105,6 +105,27 @@ TEST(Texture, GrayIsInAllColoursAndAlphaIsOneWhereNoneIsStated) {
   expect_texel(four, Rgba{0.2F, 0.4F, 0.6F, 0.8F});
 }
 
+TEST(Texture, PicturesWithoutAColourAnywhereAreGray) {
+  for (const auto& [channels, steps] : {std::pair{1, 255.0F}, {2, 255.0F}, {3, 255.0F}, {4, 255.0F}, {2, 1000.0F}, {3, 1000.0F}}) {
+    Image image(67, 61, channels);  // not in the first slice alone
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+      const std::size_t pixel = i / static_cast<std::size_t>(channels);
+      image.pixels[i] = static_cast<float>(pixel * 37 % 256) / steps;
+    }
+    EXPECT_TRUE(made(image)->layout().is_gray) << channels;
+    for (std::size_t i = 0; i < image.pixels.size(); i += 97 * static_cast<std::size_t>(channels)) {
+      for (std::size_t c = 0; channels > 2 && c < 3; ++c) {
+        Image colored = image;
+        colored.pixels[i + c] = colored.pixels[i + c] > 0.5F ? 0.0F : 1.0F;
+        ASSERT_FALSE(made(colored)->layout().is_gray) << "channel " << c << " of number " << i;
+      }
+    }
+  }
+  Image floats(8, 8, 1);
+  floats.pixels[3] = 1.5F;
+  EXPECT_FALSE(made(floats)->layout().is_gray);
+}
+
 TEST(Texture, EveryRowEndsWithItsFirstTexelAgain) {
   for (const float high : {1.0F, 3.0F}) {
     const auto texture = made(noise(7, 5, 4, 1, 0, high));
