@@ -235,7 +235,7 @@ inline HWY_NOINLINE void project_vertices(const Frame& frame, TileScratch& s, co
   const Float depth_range(view.depth_far - view.depth_near);
   for (std::size_t i = 0; i < cluster.vertices; i += kLanes) {
     const Vec3<Float> p =
-        instance.image_from_object(is_packed ? Vec3<Float>{load(xs + i), load(ys + i), load(zs + i)} : gather(positions, load(vertices + i)));
+        instance.image_from_object(is_packed ? Vec3<Float>{load(xs + i), load(ys + i), load(zs + i)} : gather(positions, vertices + i));
     const Float inverse = Float(1) / p.z;
     const Float scale = is_perspective ? inverse : Float(1);
     const auto snap = [](Float pixels) { return truncate(floor_of(pixels * Float(kSubpixelUnits) + Float(0.5F))); };

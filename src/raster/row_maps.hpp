@@ -46,10 +46,14 @@ struct MapStrip {
     }
     store(&shares[6][i], places.blend);
   }
-  [[nodiscard]] HWY_INLINE Places<Float> places_at(std::size_t i) const {
+  struct StoredPlaces {
+    StoredQuad near, far;
+    Float blend;
+  };
+  [[nodiscard]] HWY_INLINE StoredPlaces places_at(std::size_t i) const {
     const auto quad = [&](std::size_t number) {
-      return TexelQuad<Float>{load(&texels[2 * number][i]), load(&texels[2 * number + 1][i]), load(&shares[3 * number][i]),
-                              load(&shares[3 * number + 1][i]), load(&shares[3 * number + 2][i])};
+      return StoredQuad{&texels[2 * number][i], &texels[2 * number + 1][i], load(&shares[3 * number][i]), load(&shares[3 * number + 1][i]),
+                        load(&shares[3 * number + 2][i])};
     };
     return {quad(0), quad(1), load(&shares[6][i])};
   }
@@ -87,7 +91,7 @@ HWY_INLINE bool are_alike(const ShadingMap& a, const ShadingMap& b) {
 }
 
 __attribute__((flatten)) inline HWY_NOINLINE void find_places(const ShadingMap& map, std::size_t count, MapStrip& s) {
-  const LaneFetch fetch(map.texels);
+  const LevelTable fetch(map.texels);
   for (std::size_t i = 0; i < count; i += kLanes) {
     const Footprint<Float> at = on_map(map, s.footprint_at(map.uv_set, i));
     s.put(i, places_at(map.sampler, fetch, at.u, at.v, size_of_footprint(map.sampler, map.width, map.height, at).lod));
@@ -97,33 +101,33 @@ __attribute__((flatten)) inline HWY_NOINLINE void find_places(const ShadingMap& 
   }
 }
 
-/// Asks for the texels of all maps from `first` on that find them at the places at hand, before any of them waits. Fragments beside each other
-/// share lines of the cache: of each level's rows every kCallStep-th one's are asked for.
-HWY_INLINE void call_texels(const ShadingMaps& maps, std::size_t first, std::size_t count, const MapStrip& s) {
+/// Asks for a texture's texels at the places of the batch from i on, before anyone waits for them. Fragments beside each other share lines of
+/// the cache: every kCallStep-th one's are asked for, and of each level the upper row's alone, for the lower one mostly is the upper one of the
+/// fragments above or below.
+HWY_INLINE void call_texels(const TextureLayout& texels, std::size_t i, const MapStrip& s) {
   constexpr std::size_t kCallStep = 2;
-  for (std::size_t kind = first; kind < kMapKinds; ++kind) {
-    if ((maps.present >> kind & 1U) == 0 || !are_alike(maps.maps[first], maps.maps[kind])) {
-      continue;
-    }
-    for (std::size_t i = 0; i < count; i += kCallStep) {
-      for (const MapStrip::IntRow& row : s.texels) {
-        call_texel(maps.maps[kind].texels, row[i]);
-      }
-    }
+  for (std::size_t lane = 0; lane < kLanes; lane += kCallStep) {
+    call_texel(texels, s.texels[0][i + lane]);
+    call_texel(texels, s.texels[2][i + lane]);
   }
 }
 
-/// The map's values at the places that find_places() found.
+/// The map's values at the places that find_places() found. Meanwhile the texels of the one that is read `next`, if any, come nearer.
 template <class Fetch, bool kHasAlpha>
-HWY_NOINLINE void read_map_by(const ShadingMap& map, std::size_t count, MapStrip& s) {
+HWY_NOINLINE void read_map_by(const ShadingMap& map, const ShadingMap* next, std::size_t count, MapStrip& s) {
   const Fetch fetch(map.texels);
   const Float scale(fetch.scale());
+  const bool is_stretched = map.is_stretched() || map.texels.floats != nullptr;  // floats may be -0, of which -0 * 1 + 0 makes 0
   for (std::size_t i = 0; i < count; i += kLanes) {
-    Texel<Float> texel = fetch_places(map.sampler, fetch, s.places_at(i));
+    if (next != nullptr) {
+      call_texels(next->texels, i, s);
+    }
+    Texel<Float> texel = fetch_places<Float>(map.sampler, fetch, s.places_at(i));
     for (Float& channel : texel) {
       channel = channel * scale;
     }
-    const MapValue<Float> value = value_of(map, texel, Float(1));
+    const MapValue<Float> value =
+        is_stretched ? value_of(map, texel, Float(1)) : MapValue<Float>{{texel[0], texel[1], texel[2]}, texel[3], Float(1)};
     store(&s.value[0][i], value.rgb.x);
     store(&s.value[1][i], value.rgb.y);
     store(&s.value[2][i], value.rgb.z);
@@ -133,12 +137,28 @@ HWY_NOINLINE void read_map_by(const ShadingMap& map, std::size_t count, MapStrip
   }
 }
 
-inline void read_map(const ShadingMap& map, bool has_alpha, std::size_t count, MapStrip& s) {
+template <class Fetch>
+HWY_INLINE void read_map_by(const ShadingMap& map, const ShadingMap* next, bool has_alpha, std::size_t count, MapStrip& s) {
+  has_alpha ? read_map_by<Fetch, true>(map, next, count, s) : read_map_by<Fetch, false>(map, next, count, s);
+}
+
+inline void read_map(const ShadingMap& map, const ShadingMap* next, bool has_alpha, std::size_t count, MapStrip& s) {
+  const bool is_gray = map.texels.is_gray;
   if (map.texels.bytes != nullptr) {
-    has_alpha ? read_map_by<ByteFetch, true>(map, count, s) : read_map_by<ByteFetch, false>(map, count, s);
+    is_gray ? read_map_by<ByteFetch<true>>(map, next, has_alpha, count, s) : read_map_by<ByteFetch<false>>(map, next, has_alpha, count, s);
   } else {
-    has_alpha ? read_map_by<LaneFetch, true>(map, count, s) : read_map_by<LaneFetch, false>(map, count, s);
+    is_gray ? read_map_by<AnyFetch<true>>(map, next, has_alpha, count, s) : read_map_by<AnyFetch<false>>(map, next, has_alpha, count, s);
   }
+}
+
+/// The map after `kind` that finds its texels at the same places; null where there is none.
+HWY_INLINE const ShadingMap* next_alike(const ShadingMaps& maps, std::size_t kind) {
+  for (std::size_t next = kind + 1; next < kMapKinds; ++next) {
+    if ((maps.present >> next & 1U) != 0 && are_alike(maps.maps[kind], maps.maps[next])) {
+      return &maps.maps[next];
+    }
+  }
+  return nullptr;
 }
 
 /// Looks one map up after the other; take(kind) sees its values.
@@ -155,14 +175,16 @@ inline void each_map(const ShadingMaps& maps, std::size_t count, MapStrip& s, Ta
     const bool is_placed = placed != nullptr && are_alike(*placed, map) && (!map.leaves_outside || placed->leaves_outside);
     if (!is_placed) {
       find_places(map, count, s);
-      call_texels(maps, kind, count, s);
+      for (std::size_t i = 0; i < count; i += kLanes) {
+        call_texels(map.texels, i, s);
+      }
       placed = &map;
     }
     const bool is_read = is_placed && read != nullptr && !has_alpha && read->texels.bytes == map.texels.bytes &&
                          read->texels.unorms == map.texels.unorms && read->texels.floats == map.texels.floats && read->gain == map.gain &&
                          read->base == map.base && are_equal(read->sampler.border, map.sampler.border);
     if (!is_read) {
-      read_map(map, has_alpha, count, s);
+      read_map(map, next_alike(maps, kind), has_alpha, count, s);
       read = &map;
     }
     take(static_cast<MapKind>(kind), map);
@@ -170,13 +192,14 @@ inline void each_map(const ShadingMaps& maps, std::size_t count, MapStrip& s, Ta
 }
 
 /// What a normal map changes: it is worked out only where the map states nothing.
-inline HWY_NOINLINE Vec3<Float> interpolated_normal(const Run& run, std::size_t i) {
-  return run.batch(i).normal;
+inline HWY_NOINLINE Vec3<Float> interpolated_normal(const Run& run, const FaceTable& faces, std::size_t i) {
+  return run.batch(faces, i).normal;
 }
 
 /// The coefficients, the exponent and the normal of a strip under its material's maps.
-inline HWY_NOINLINE void apply_maps(const Run& run, Strip& strip, MapStrip& s) {
+inline HWY_NOINLINE void apply_maps(const Run& run, const FaceTable& faces, Strip& strip, MapStrip& s) {
   const ShadingMaps& maps = run.material.maps;
+  const Coefficients<float>& stated = run.material.coefficients;
   const auto each = [&](auto&& at) {
     for (std::size_t i = 0; i < run.count; i += kLanes) {
       at(i);
@@ -184,68 +207,61 @@ inline HWY_NOINLINE void apply_maps(const Run& run, Strip& strip, MapStrip& s) {
   };
   const auto applies_at = [&](const ShadingMap& map, std::size_t i) { return map.leaves_outside ? load(&s.applies[i]) : Float(1); };
   each_map(maps, run.count, s, [&](MapKind kind, const ShadingMap& map) {
-    const auto multiply = [&](Strip::Rows& rows) {
+    const auto multiply = [&](Strip::Coefficient which, const Vec3f& of_material) {
       each([&](std::size_t i) {
         Vec3<Float> factor = s.rgb_at(i);
         if (map.leaves_outside) {
           const Mask applies = load(&s.applies[i]) > Float(0);
           factor = {select(applies, factor.x, Float(1)), select(applies, factor.y, Float(1)), select(applies, factor.z, Float(1))};
         }
-        Strip::put(rows, i, Strip::get(rows, i) * factor);
+        strip.put_coefficient(which, i, strip.coefficient(which, i, of_material) * factor);
       });
+      strip.differing |= 1U << which;
+    };
+    const auto cover = [&](Strip::Coefficient which, const Vec3f& of_material) {
+      each([&](std::size_t i) {
+        const Vec3<Float> k = strip.coefficient(which, i, of_material);
+        strip.put_coefficient(which, i, k + (s.rgb_at(i) - k) * (load(&s.value[3][i]) * applies_at(map, i)));
+      });
+      strip.differing |= 1U << which;
     };
     switch (kind) {
       case MapKind::ambient:
-        return multiply(strip.ambient);
+        return multiply(Strip::ambient, stated.ambient);
       case MapKind::diffuse:
-        return multiply(strip.diffuse);
+        return multiply(Strip::diffuse, stated.diffuse);
       case MapKind::specular:
-        return multiply(strip.specular);
+        return multiply(Strip::specular, stated.specular);
       case MapKind::emission:
-        return multiply(strip.emission);
+        return multiply(Strip::emission, stated.emission);
       case MapKind::shininess:
         return each([&](std::size_t i) {
           const MapValue<Float> value{s.rgb_at(i), load(&s.value[3][i]), applies_at(map, i)};
-          store(&strip.shininess[i], shininess_under(map, value, run.material.coefficients.shininess.n).n);
+          store(&strip.shininess[i], shininess_under(map, value, stated.shininess.n).n);
         });
       case MapKind::decal:
-        return each([&](std::size_t i) {
-          const Vec3<Float> decal = s.rgb_at(i);
-          const Float share = load(&s.value[3][i]) * applies_at(map, i);
-          const auto cover = [&](Strip::Rows& rows) {
-            const Vec3<Float> k = Strip::get(rows, i);
-            Strip::put(rows, i, k + (decal - k) * share);
-          };
-          if (maps.decal_on_ambient) {
-            cover(strip.ambient);
-          }
-          if (maps.decal_on_diffuse) {
-            cover(strip.diffuse);
-          }
-        });
+        if (maps.decal_on_ambient) {
+          cover(Strip::ambient, stated.ambient);
+        }
+        if (maps.decal_on_diffuse) {
+          cover(Strip::diffuse, stated.diffuse);
+        }
+        return;
       case MapKind::normal:
         return each([&](std::size_t i) {
           const Vec3<Float> value = s.rgb_at(i) * Float(2) - Vec3<Float>{Float(1), Float(1), Float(1)};
           const TangentFrame<Float> frame{Strip::get(s.frame_tangent, i), Strip::get(s.frame_normal, i), load(&s.handedness[i])};
           const Float side = load(&s.side[i]);
-          const Vec3<Float> stated =
-              maps.normal_is_object_space ? run.instance.normal_from_object.turned(value) : frame.turn(run.instance, value);
+          const Vec3<Float> bent = maps.normal_is_object_space ? run.instance.normal_from_object.turned(value) : frame.turn(run.instance, value);
           const Float applies = applies_at(map, i);
-          const bool is_stated = all_of(has_direction(stated * applies));
-          const Vec3<Float> unchanged = HWY_LIKELY(is_stated) ? Vec3<Float>{} : interpolated_normal(run, i) * side;
-          Strip::put(strip.normal, i, stated_normal(stated, applies, unchanged) * side);
+          const bool is_stated = all_of(has_direction(bent * applies));
+          const Vec3<Float> unchanged = HWY_LIKELY(is_stated) ? Vec3<Float>{} : interpolated_normal(run, faces, i) * side;
+          Strip::put(strip.normal, i, stated_normal(bent, applies, unchanged) * side);
         });
       case MapKind::bump:  // not here: goes_by_maps()
         return;
     }
   });
-}
-
-HWY_INLINE void put_coefficients(Strip& strip, std::size_t i, const Coefficients<Float>& k) {
-  Strip::put(strip.ambient, i, k.ambient);
-  Strip::put(strip.diffuse, i, k.diffuse);
-  Strip::put(strip.specular, i, k.specular);
-  Strip::put(strip.emission, i, k.emission);
 }
 
 HWY_INLINE void put_surface(const Run& run, Strip& strip, std::size_t i, const Batch& batch, bool has_normal = true) {
@@ -257,16 +273,20 @@ HWY_INLINE void put_surface(const Run& run, Strip& strip, std::size_t i, const B
 }
 
 /// Fragment by fragment, all maps of a batch at once.
-inline HWY_NOINLINE void make_surfaces_by_batches(const Run& run, Strip& strip) {
+inline HWY_NOINLINE void make_surfaces_by_batches(const Run& run, const FaceTable& faces, Strip& strip) {
   const ShadingMaps& maps = run.material.maps;
+  strip.differing = (1U << Strip::coefficient_count) - 1;
   for (std::size_t i = 0; i < run.count; i += kLanes) {
-    Batch batch = run.batch(i);
+    Batch batch = run.batch(faces, i);
     Mapped mapped;
     look_up_maps(batch, mapped);
     put_surface(run, strip, i, batch);
     Coefficients<Float> k = tinted(run.material.coefficients, batch.faces.tint(batch.at.weights));
     apply_factors(maps, mapped.factors, k);
-    put_coefficients(strip, i, k);
+    strip.put_coefficient(Strip::ambient, i, k.ambient);
+    strip.put_coefficient(Strip::diffuse, i, k.diffuse);
+    strip.put_coefficient(Strip::specular, i, k.specular);
+    strip.put_coefficient(Strip::emission, i, k.emission);
     if (maps.reflects) {
       Strip::put(strip.reflection, i, reflected_surroundings(run.material.coefficients.specular, mapped.factors, mapped.reflection));
     }
@@ -277,19 +297,25 @@ inline HWY_NOINLINE void make_surfaces_by_batches(const Run& run, Strip& strip) 
 }
 
 /// What the equation asks for at each point where maps change the surface.
-inline HWY_NOINLINE void make_mapped_surfaces(const Run& run, Strip& strip) {
+inline HWY_NOINLINE void make_mapped_surfaces(const Run& run, const FaceTable& faces, Strip& strip) {
   const ShadingMaps& maps = run.material.maps;
   if (!goes_by_maps(maps)) {
-    make_surfaces_by_batches(run, strip);
+    make_surfaces_by_batches(run, faces, strip);
     return;
   }
   MapStrip s;
   const bool is_bent = maps.has(MapKind::normal);
   const bool has_frame = is_bent && !maps.normal_is_object_space;
+  const bool has_tint = !run.instance.drawable->colors.empty();
+  strip.differing = has_tint ? 1U << Strip::ambient | 1U << Strip::diffuse : 0U;
   for (std::size_t i = 0; i < run.count; i += kLanes) {
-    const Batch batch = run.batch(i, !is_bent);
+    const Batch batch = run.batch(faces, i, !is_bent);
     put_surface(run, strip, i, batch, !is_bent);
-    put_coefficients(strip, i, tinted(run.material.coefficients, batch.faces.tint(batch.at.weights)));
+    if (has_tint) {
+      const Coefficients<Float> k = tinted(run.material.coefficients, batch.faces.tint(batch.at.weights));
+      strip.put_coefficient(Strip::ambient, i, k.ambient);
+      strip.put_coefficient(Strip::diffuse, i, k.diffuse);
+    }
     const std::array<Footprint<Float>, 2> at = footprints_on<Float>(batch.faces, batch.at.weights, batch.slopes);
     for (std::size_t set = 0; set < 2; ++set) {
       if ((maps.uv_sets >> set & 1U) != 0) {
@@ -304,7 +330,7 @@ inline HWY_NOINLINE void make_mapped_surfaces(const Run& run, Strip& strip) {
       store(&s.handedness[i], frame.handedness);
     }
   }
-  apply_maps(run, strip, s);
+  apply_maps(run, faces, strip, s);
 }
 
 }  // namespace lustro::HWY_NAMESPACE

@@ -215,11 +215,14 @@ inline HWY_NOINLINE void find_opacities(const Frame& frame, TileScratch& s) {
   std::array<std::uint32_t, TileScratch::kFragments> waiting;
   TileScratch::Fragments& fragments = s.whole;  // empty between bands
   const auto flush = [&] {
-    shade_runs(frame, s, fragments, s.part_place.data(), [](const Run& run) {
-      for (std::size_t i = 0; i < run.count; i += kLanes) {
-        const Batch batch = run.batch(i);
-        store(&run.s.output[0][run.begin + i], opacity_of(batch.faces, batch.at, batch.slopes));
-      }
+    shade_runs(frame, s, fragments, s.part_place.data(), [](const Run& all) {
+      all.in_strips([](const Run& run) {
+        const RunFaces faces(run, wants_of_opacity(run.frame, run.material));
+        for (std::size_t i = 0; i < run.count; i += kLanes) {
+          const Batch batch = run.batch(faces, i, false);
+          store(&run.s.output[0][run.begin + i], opacity_of(batch.faces, batch.at, batch.slopes));
+        }
+      });
     });
     for (std::size_t i = 0; i < fragments.count; ++i) {
       s.sheets[waiting[i]].opacity = s.output[0][s.part_place[i]];
@@ -395,20 +398,24 @@ HWY_INLINE void collect(Shader& shader, int x, int y, std::size_t at, std::size_
 }
 
 /// Rows top .. bottom of the tile.
-inline HWY_NOINLINE void shade_rows(Shader& shader, std::size_t tile, int top, int bottom) {
+inline HWY_NOINLINE void shade_rows(Shader& shader, int top, int bottom) {
   const Frame& frame = shader.frame;
   TileScratch& s = shader.s;
   const TileArea& area = s.area;
-  const bool is_empty = frame.cluster_lists.of(tile).empty() && frame.loose_lists.of(tile).empty();
   for (int y = top; y < bottom; ++y) {
     const std::size_t row = static_cast<std::size_t>(y - area.top) * s.stride;
+    if (frame.bytes != nullptr && y + 4 < area.bottom) {
+      const std::uint8_t* ahead = frame.bytes + 4 * (static_cast<std::size_t>(y + 4) * static_cast<std::size_t>(frame.scene->view.width) +
+                                                     static_cast<std::size_t>(area.left));
+      for (std::size_t i = 0; i < 4 * static_cast<std::size_t>(area.right - area.left); i += 64) {
+        __builtin_prefetch(ahead + i, 1, 2);
+      }
+    }
     if (frame.wants_all) {
       for (int x = area.left; x < area.right; ++x) {
         const std::size_t at = row + static_cast<std::size_t>(x - area.left);
         collect_pixel(shader, x, y, at, s.sheet_count > 0 && s.first_sheet[at] != Record::kNone);
       }
-    } else if (is_empty) {
-      store_background(frame, area.left, y, static_cast<std::size_t>(area.right - area.left));
     } else {
       for (int x = area.left; x < area.right; x += static_cast<int>(kLanes)) {
         const auto rest = static_cast<std::size_t>(area.right - x);
@@ -420,13 +427,38 @@ inline HWY_NOINLINE void shade_rows(Shader& shader, std::size_t tile, int top, i
   flush_parts(shader);
 }
 
+HWY_INLINE bool is_empty_tile(const Frame& frame, std::size_t tile) {
+  return frame.cluster_lists.of(tile).empty() && frame.loose_lists.of(tile).empty();
+}
+
+/// Tiles beside each other that show nothing, by the first of them: the longer a row, the sooner the processor has its lines of memory at hand.
+inline HWY_NOINLINE void store_empty_tiles(const Frame& frame, std::size_t tile) {
+  const auto tiles_x = static_cast<std::size_t>(frame.tiles_x);
+  if (tile % tiles_x != 0 && is_empty_tile(frame, tile - 1)) {
+    return;
+  }
+  std::size_t last = tile;
+  while ((last + 1) % tiles_x != 0 && is_empty_tile(frame, last + 1)) {
+    ++last;
+  }
+  const TileArea area = frame.area(tile);
+  const auto width = static_cast<std::size_t>(frame.area(last).right - area.left);
+  for (int y = area.top; y < area.bottom; ++y) {
+    store_background(frame, area.left, y, width);
+  }
+}
+
 inline void shade_tile(const Frame& frame, std::size_t tile, TileScratch& s) {
+  if (!frame.wants_all && is_empty_tile(frame, tile)) {
+    store_empty_tiles(frame, tile);
+    return;
+  }
   s.area = frame.area(tile);
   s.sheet_count = 0;
   Shader shader(frame, s);
   const TileArea& area = s.area;
   if (HWY_LIKELY((frame.alpha_modes & bit_of(AlphaMode::blend)) == 0)) {
-    shade_rows(shader, tile, area.top, area.bottom);
+    shade_rows(shader, area.top, area.bottom);
     return;
   }
   const std::size_t records = s.record_count;
@@ -438,7 +470,7 @@ inline void shade_tile(const Frame& frame, std::size_t tile, TileScratch& s) {
       height = (bottom - top) / 2;  // a single row keeps all it needs
       continue;
     }
-    shade_rows(shader, tile, top, bottom);
+    shade_rows(shader, top, bottom);
     top = bottom;
   }
 }

@@ -210,14 +210,14 @@ HWY_INLINE Vec3<Float> sum_whole(const PreparedScene& scene, const Vec3<Float>& 
 }
 
 /// What the equation asks for at each point, for Phong interpolation.
-inline HWY_NOINLINE void make_surfaces(const Run& run, Strip& strip) {
+inline HWY_NOINLINE void make_surfaces(const Run& run, const FaceTable& faces, Strip& strip) {
   if (HWY_UNLIKELY(run.material.maps.has_any())) {
-    make_mapped_surfaces(run, strip);
+    make_mapped_surfaces(run, faces, strip);
     return;
   }
   const bool has_tint = !run.instance.drawable->colors.empty();
   for (std::size_t i = 0; i < run.count; i += kLanes) {
-    const Batch batch = run.batch(i);
+    const Batch batch = run.batch(faces, i);
     put_surface(run, strip, i, batch);
     if (has_tint) {
       Strip::put(strip.tint, i, batch.faces.tint(batch.at.weights));
@@ -227,13 +227,13 @@ inline HWY_NOINLINE void make_surfaces(const Run& run, Strip& strip) {
 
 /// The equation at the strip's points: visit(i, position, terms) for every vector of them.
 template <class Visit>
-HWY_INLINE void light_surfaces(const Run& run, const Strip& strip, Visit&& visit) {
+HWY_INLINE void light_surfaces(const Run& run, const FaceTable& faces, const Strip& strip, Visit&& visit) {
   const PreparedScene& scene = *run.frame.scene;
   const ShadingMaterial& material = run.material;
   const bool has_tint = !run.instance.drawable->colors.empty();
   const float* seen = run.s.visibilities.data();
   if (HWY_UNLIKELY(scene.looks_beyond())) {
-    find_visibilities(run, strip);
+    find_visibilities(run, faces, strip);
   }
   Reflection<float>* reflections = run.s.reflections.data();  // without a tint they are the same everywhere
   for (std::size_t l = 0; l < scene.lights.size(); ++l) {
@@ -244,8 +244,7 @@ HWY_INLINE void light_surfaces(const Run& run, const Strip& strip, Visit&& visit
     const auto ignore = [](std::size_t, const Vec3<Float>&) {};
     Terms<Float> terms;
     if (HWY_UNLIKELY(material.maps.has_any())) {
-      const Coefficients<Float> k{Strip::get(strip.ambient, i), Strip::get(strip.diffuse, i), Strip::get(strip.specular, i),
-                                  Strip::get(strip.emission, i), material.coefficients.shininess};
+      const Coefficients<Float> k = strip.coefficients_at(i, material.coefficients);
       if (material.maps.has(MapKind::shininess)) {
         const Coefficients<Float, LaneExponent<Float>> varying{k.ambient, k.diffuse, k.specular, k.emission, {load(&strip.shininess[i])}};
         terms = evaluate(scene, material, surface, varying, seen + i, nullptr, ignore).terms;
@@ -268,8 +267,8 @@ HWY_INLINE void light_surfaces(const Run& run, const Strip& strip, Visit&& visit
   }
 }
 
-inline HWY_NOINLINE void light_whole(const Run& run, Strip& strip) {
-  light_surfaces(run, strip, [&](std::size_t i, const Vec3<Float>& position, Terms<Float>& terms) {
+inline HWY_NOINLINE void light_whole(const Run& run, const FaceTable& faces, Strip& strip) {
+  light_surfaces(run, faces, strip, [&](std::size_t i, const Vec3<Float>& position, Terms<Float>& terms) {
     Strip::put(strip.color, i, sum_whole(*run.frame.scene, position, terms));
   });
 }
@@ -280,8 +279,8 @@ HWY_INLINE void store_terms(TileScratch& s, std::size_t at, const Terms<Float>& 
                    &s.part_terms[at * TileScratch::terms]);
 }
 
-inline HWY_NOINLINE void light_parts(const Run& run, const Strip& strip) {
-  light_surfaces(run, strip, [&](std::size_t i, const Vec3<Float>& position, Terms<Float>& terms) {
+inline HWY_NOINLINE void light_parts(const Run& run, const FaceTable& faces, const Strip& strip) {
+  light_surfaces(run, faces, strip, [&](std::size_t i, const Vec3<Float>& position, Terms<Float>& terms) {
     Vec3<Float> fog{};
     if (run.frame.scene->fog) {
       Float clear;
@@ -301,10 +300,10 @@ HWY_INLINE void add_reflection(const ShadingMaterial& material, const Mapped& ma
 }
 
 /// Flat and Gouraud interpolation light faces and their vertices.
-inline HWY_NOINLINE void light_faces(const Run& run, Strip& strip) {
+inline HWY_NOINLINE void light_faces(const Run& run, const FaceTable& faces, Strip& strip) {
   const PreparedScene& scene = *run.frame.scene;
   for (std::size_t i = 0; i < run.count; i += kLanes) {
-    Batch batch = run.batch(i);
+    Batch batch = run.batch(faces, i, run.asks_for_normals());
     Mapped maps;
     if (run.material.maps.has_any()) {
       look_up_maps(batch, maps);
@@ -331,12 +330,17 @@ inline HWY_NOINLINE void store_pixels(const Run& run, const Strip& strip) {
     const Int column = (load(&run.fragments.x[run.begin + i]) >> 8) - Int(area.left);
     const Int row = (load(&run.fragments.y[run.begin + i]) >> 8) - Int(area.top);
     alignas(64) std::array<std::uint32_t, kLanes> places, words;  // from the tile's first pixel on
-    store(places.data(), row * Int(frame.scene->view.width) + column);
+    const Int place = row * Int(frame.scene->view.width) + column;
+    store(places.data(), place);
     const std::size_t count = run.count - i < kLanes ? run.count - i : kLanes;
     if (frame.bytes != nullptr) {
       store_words(frame, Strip::get(strip.color, i), words.data());
-      for (std::size_t lane = 0; lane < count; ++lane) {
-        std::memcpy(frame.bytes + 4 * (first + places[lane]), &words[lane], 4);
+      if (count == kLanes && all_of(place == Int(static_cast<std::int32_t>(places[0])) + lane_numbers())) {
+        std::memcpy(frame.bytes + 4 * (first + places[0]), words.data(), sizeof words);
+      } else {
+        for (std::size_t lane = 0; lane < count; ++lane) {
+          std::memcpy(frame.bytes + 4 * (first + places[lane]), &words[lane], 4);
+        }
       }
     }
     if (frame.color != nullptr) {
@@ -349,11 +353,11 @@ inline HWY_NOINLINE void store_pixels(const Run& run, const Strip& strip) {
 }
 
 /// Everything that layers may ask for, of any interpolation.
-inline HWY_NOINLINE void shade_all(const Run& run, std::size_t i) {
+inline HWY_NOINLINE void shade_all(const Run& run, const FaceTable& faces, std::size_t i) {
   const Frame& frame = run.frame;
   TileScratch& s = run.s;
   const PreparedScene& scene = *frame.scene;
-  Batch batch = run.batch(i);
+  Batch batch = run.batch(faces, i, run.asks_for_normals());
   Mapped maps;
   if (run.material.maps.has_any()) {
     look_up_maps(batch, maps);
@@ -405,15 +409,19 @@ inline HWY_NOINLINE void shade_all(const Run& run, std::size_t i) {
 /// Parts of pixels: what is known of them goes into the outputs, at their places.
 inline void shade_parts(const Run& all) {
   if (all.frame.scene->shading.interpolation != Interpolation::phong || all.frame.wants_all) {
-    for (std::size_t i = 0; i < all.count; i += kLanes) {
-      shade_all(all, i);
-    }
+    all.in_strips([](const Run& run) {
+      const RunFaces faces(run, wants_of_shading(run));
+      for (std::size_t i = 0; i < run.count; i += kLanes) {
+        shade_all(run, faces, i);
+      }
+    });
     return;
   }
   Strip strip;
   all.in_strips([&](const Run& run) {
-    make_surfaces(run, strip);
-    light_parts(run, strip);
+    const RunFaces faces(run, wants_of_shading(run));
+    make_surfaces(run, faces, strip);
+    light_parts(run, faces, strip);
   });
 }
 
@@ -421,11 +429,12 @@ inline void shade_parts(const Run& all) {
 inline void shade_whole(const Run& all) {
   Strip strip;
   all.in_strips([&](const Run& run) {
+    const RunFaces faces(run, wants_of_shading(run));
     if (run.frame.scene->shading.interpolation == Interpolation::phong) {
-      make_surfaces(run, strip);
-      light_whole(run, strip);
+      make_surfaces(run, faces, strip);
+      light_whole(run, faces, strip);
     } else {
-      light_faces(run, strip);
+      light_faces(run, faces, strip);
     }
     store_pixels(run, strip);
   });

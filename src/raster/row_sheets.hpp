@@ -7,7 +7,7 @@
 #include <bit>
 
 #include "raster/row_canvas.hpp"
-#include "raster/row_fragment.hpp"
+#include "raster/row_strip.hpp"
 #include "simd/lanes.hpp"
 
 // What a kernel fills is not cleared first.
@@ -29,7 +29,8 @@ HWY_INLINE void each_sample(const Canvas& c, const Record& t, int x, int y, Mask
     std::array<Float, 3> e;
     Mask inside = in_range;
     for (std::size_t i = 0; i < 3; ++i) {
-      e[i] = edge_of<kSmall>(Int(t.x[kFrom[i]]), Int(t.y[kFrom[i]]), Int(t.x[kTo[i]]), Int(t.y[kTo[i]]), px, py);
+      const std::size_t from = kFrom[i], to = kTo[i];
+      e[i] = edge_along<kSmall>(Int(t.x[to] - t.x[from]), Int(t.y[to] - t.y[from]), px - Int(t.x[from]), py - Int(t.y[from]));
       const bool has_edge = edge_bias(t.x[kFrom[i]], t.y[kFrom[i]], t.x[kTo[i]], t.y[kTo[i]]) == 0;
       inside = inside & (has_edge ? e[i] >= Float(0) : e[i] > Float(0));  // rounding keeps the sign of a whole number
     }
@@ -41,33 +42,35 @@ HWY_INLINE void each_sample(const Canvas& c, const Record& t, int x, int y, Mask
   }
 }
 
-/// The triangle's opacity at those of kLanes points that lie inside; the others calculate the first of them again.
-inline HWY_NOINLINE Float opacity_at_points(const Frame& frame, const Record& t, Mask inside, Int px, Int py) {
-  const PreparedScene& scene = *frame.scene;
-  alignas(64) std::array<std::int32_t, kLanes> x, y;
-  store(x.data(), px);
-  store(y.data(), py);
-  const auto first = static_cast<std::size_t>(__builtin_ctz(mask_bits(inside)));
-  Words words;
-  repeat(reinterpret_cast<const std::uint32_t*>(&t), words);
-  const FragmentPlaces at = locate(frame, words, select(inside, px, Int(x[first])), select(inside, py, Int(y[first])));
-  const Instance& instance = scene.instances[frame.material_instance[t.material]];
-  const ShadingMaterial& material = scene.materials[t.material];
-  const ShadingOpacity& stated = material.opacity;
-  const Vertices vertices = vertices_of(words, &t);
-  const bool needs_normals = stated.has_halo && scene.shading.interpolation != Interpolation::flat;
-  const Faces faces{.scene = scene,
-                    .instance = instance,
-                    .material = material,
-                    .vertices = vertices,
-                    .side = side_of(scene.shading, words[word_flags]),
-                    .normals = needs_normals ? vertices.look_up(instance.mesh->normals) : Three<Vec3<Float>>{}};
-  return opacity_of(faces, at, stated.has_map ? slopes_at(frame, words, at) : WeightSlopes<Float>{});
-}
+/// One triangle's opacity, wherever it is asked for. What the mesh says is fetched for the first point: most masks hide many that have none.
+class OpacityOfTriangle {
+ public:
+  HWY_INLINE OpacityOfTriangle(const Frame& frame, const Record& t)
+      : faces_(frame, &t, frame.scene->instances[frame.material_instance[t.material]], frame.scene->materials[t.material]) {}
+
+  /// At those of kLanes points that lie inside; the others calculate the first of them again.
+  HWY_NOINLINE Float operator()(Mask inside, Int px, Int py) {
+    if (!is_found_) {
+      is_found_ = true;
+      faces_.list(std::array<std::uint32_t, 2 * kLanes>{}.data(), 1);
+      faces_.find(wants_of_opacity(faces_.frame, faces_.material));
+    }
+    alignas(64) std::array<std::int32_t, kLanes> x, y;
+    store(x.data(), px);
+    store(y.data(), py);
+    const auto first = static_cast<std::size_t>(__builtin_ctz(mask_bits(inside)));
+    const Batch batch(faces_, 0, select(inside, px, Int(x[first])), select(inside, py, Int(y[first])), false);
+    return opacity_of(batch.faces, batch.at, batch.slopes);
+  }
+
+ private:
+  FaceTable faces_;
+  bool is_found_ = false;
+};
 
 /// Samples of a mask: those where it is dense enough.
 template <bool kSmall>
-HWY_INLINE bool fill_mask(const Canvas& c, const Record& t, std::uint32_t record, int x, int y, Mask in_range) {
+HWY_INLINE bool fill_mask(const Canvas& c, const Record& t, OpacityOfTriangle& opacity, std::uint32_t record, int x, int y, Mask in_range) {
   const Float cutoff(c.frame.scene->materials[t.material].opacity.cutoff);
   bool has_won = false;
   each_sample<kSmall>(c, t, x, y, in_range, [&](std::size_t at, std::size_t, Mask inside, const Float& key, const Int& px, const Int& py) {
@@ -75,7 +78,7 @@ HWY_INLINE bool fill_mask(const Canvas& c, const Record& t, std::uint32_t record
     if (!any_of(is_near)) {
       return;
     }
-    const Mask is_dense = is_near & (opacity_at_points(c.frame, t, is_near, px, py) >= cutoff);
+    const Mask is_dense = is_near & (opacity(is_near, px, py) >= cutoff);
     if (any_of(is_dense)) {
       has_won |= merge(c, is_dense, key, Float(c.frame.farthest), at, record);
     }
@@ -130,19 +133,25 @@ HWY_INLINE bool list_sheets(const Canvas& c, const Record& t, std::uint32_t reco
 /// One triangle that can be seen through.
 inline HWY_NOINLINE bool fill_seen_through(const Canvas& c, const Record& t, std::uint32_t record, const PixelRange& range) {
   const bool is_small = (t.flags & Record::kSmall) != 0;
-  const bool is_mask = c.mode == AlphaMode::mask;
-  bool is_seen = false;
   const int top = range.top < c.top ? c.top : range.top;
   const int bottom = range.bottom < c.bottom ? range.bottom : c.bottom - 1;
-  for (int y = top; y <= bottom; ++y) {
-    for (int x = range.left; x <= range.right; x += static_cast<int>(kLanes)) {
-      const Mask in_range = first_lanes(static_cast<std::size_t>(range.right - x + 1));
-      if (is_mask) {
-        is_seen |= is_small ? fill_mask<true>(c, t, record, x, y, in_range) : fill_mask<false>(c, t, record, x, y, in_range);
-      } else {
-        is_seen |= is_small ? list_sheets<true>(c, t, record, x, y, in_range) : list_sheets<false>(c, t, record, x, y, in_range);
+  bool is_seen = false;
+  const auto each = [&](auto&& look) {
+    for (int y = top; y <= bottom; ++y) {
+      for (int x = range.left; x <= range.right; x += static_cast<int>(kLanes)) {
+        is_seen |= look(x, y, first_lanes(static_cast<std::size_t>(range.right - x + 1)));
       }
     }
+  };
+  if (c.mode == AlphaMode::mask) {
+    OpacityOfTriangle opacity(c.frame, t);
+    each([&](int x, int y, Mask in_range) {
+      return is_small ? fill_mask<true>(c, t, opacity, record, x, y, in_range) : fill_mask<false>(c, t, opacity, record, x, y, in_range);
+    });
+  } else {
+    each([&](int x, int y, Mask in_range) {
+      return is_small ? list_sheets<true>(c, t, record, x, y, in_range) : list_sheets<false>(c, t, record, x, y, in_range);
+    });
   }
   return is_seen;
 }

@@ -1,6 +1,8 @@
 // How a row reads texels (texture/sample.hpp: Fetch), and what a strip of fragments looks up. Part of a row (row.cpp).
 #pragma once
 
+#include <type_traits>
+
 #include "shade/texturing.hpp"
 #include "simd/lanes.hpp"
 #include "texture/texture.hpp"
@@ -9,27 +11,45 @@
 // NOLINTBEGIN(cppcoreguidelines-pro-type-member-init)
 namespace lustro::HWY_NAMESPACE {
 
+/// TexelQuad whose places lie in memory, where lanes read them one by one.
+struct StoredQuad {
+  const std::int32_t* upper;
+  const std::int32_t* lower;
+  Float across, down, inside;
+};
+
 /// Reads the texels of kLanes places of a texture of bytes.
+template <bool kIsGray>
 class ByteFetch {
  public:
   HWY_INLINE explicit ByteFetch(const TextureLayout& layout) : layout_(layout) {}
 
-  /// A quad in one block a lane: the upper pair and the lower one.
+  [[nodiscard]] HWY_INLINE Texel<Float> quad(const StoredQuad& quad) const {
+    const auto texel = [&](std::int32_t place) {
+      return reinterpret_cast<const std::int32_t*>(layout_.bytes + std::size_t{4} * static_cast<std::size_t>(place));
+    };
+    std::array<Int, 4> words;
+    load_pairs([&](std::size_t i) { return texel(quad.upper[i]); }, words[0], words[1]);
+    load_pairs([&](std::size_t i) { return texel(quad.lower[i]); }, words[2], words[3]);
+    const auto blended = [&](auto channel) __attribute__((always_inline)) {
+      const auto of = [&](std::size_t corner) __attribute__((always_inline)) {
+        return to_float(byte_of<channel>(words[corner]));
+      };
+      return blend_quad(of(0), of(1), of(2), of(3), quad.across, quad.down);
+    };
+    using std::integral_constant;
+    const Float red = blended(integral_constant<std::size_t, 0>());
+    const Float alpha = blended(integral_constant<std::size_t, 3>());
+    if constexpr (kIsGray) {
+      return {red, red, red, alpha};
+    }
+    return {red, blended(integral_constant<std::size_t, 1>()), blended(integral_constant<std::size_t, 2>()), alpha};
+  }
   [[nodiscard]] HWY_INLINE Texel<Float> quad(const TexelQuad<Float>& quad) const {
     alignas(64) std::array<std::int32_t, kLanes> upper, lower;
     store(upper.data(), quad.upper);
     store(lower.data(), quad.lower);
-    const auto texel = [&](std::int32_t place) {
-      return reinterpret_cast<const std::int32_t*>(layout_.bytes + std::size_t{4} * static_cast<std::size_t>(place));
-    };
-    hn::Vec<IntTag> words[4];
-    load_pairs([&](std::size_t i) { return texel(upper[i]); }, [&](std::size_t i) { return texel(lower[i]); }, words);
-    Texel<Float> result;
-    for (std::size_t c = 0; c < 4; ++c) {
-      const auto channel = [&](std::size_t w) { return to_float((Int(words[w]) >> static_cast<int>(8 * c)) & Int(0xFF)); };
-      result[c] = blend_quad(channel(0), channel(1), channel(2), channel(3), quad.across, quad.down);
-    }
-    return result;
+    return this->quad(StoredQuad{upper.data(), lower.data(), quad.across, quad.down, quad.inside});
   }
   [[nodiscard]] HWY_INLINE float unit() const { return layout_.unit; }
   [[nodiscard]] HWY_INLINE float scale() const { return layout_.scale; }
@@ -39,9 +59,10 @@ class ByteFetch {
 };
 
 /// Reads the texels of kLanes places, of whatever numbers: the pair of a row by 16 bytes a lane.
-class LaneFetch {
+template <bool kIsGray>
+class AnyFetch {
  public:
-  HWY_INLINE explicit LaneFetch(const TextureLayout& layout) : layout_(layout) {}
+  HWY_INLINE explicit AnyFetch(const TextureLayout& layout) : layout_(layout) {}
 
   [[nodiscard]] HWY_INLINE std::int32_t level_count() const { return layout_.level_count; }
   [[nodiscard]] HWY_INLINE LevelPlace<Float> level(Int number) const {
@@ -55,17 +76,23 @@ class LaneFetch {
     load_quads([&](std::size_t i) { return &layout_.levels[numbers[i]].width; }, words);
     return {Int(words[0]), Int(words[1]), Int(words[2]), Int(words[3])};
   }
+  [[nodiscard]] HWY_INLINE Texel<Float> quad(const StoredQuad& quad) const {
+    return this->quad(TexelQuad<Float>{load(quad.upper), load(quad.lower), quad.across, quad.down, quad.inside});
+  }
   [[nodiscard]] HWY_INLINE Texel<Float> quad(const TexelQuad<Float>& quad) const {
     if (layout_.bytes != nullptr) {
-      return ByteFetch(layout_).quad(quad);
+      return ByteFetch<kIsGray>(layout_).quad(quad);
     }
     const Pair upper = pair_at(quad.upper);
     const Pair lower = pair_at(quad.lower);
-    Texel<Float> result;
-    for (std::size_t c = 0; c < 4; ++c) {
-      result[c] = blend_quad(upper.left[c], upper.right[c], lower.left[c], lower.right[c], quad.across, quad.down);
+    const auto blended = [&](std::size_t c) __attribute__((always_inline)) {
+      return blend_quad(upper.left[c], upper.right[c], lower.left[c], lower.right[c], quad.across, quad.down);
+    };
+    const Float red = blended(0);
+    if constexpr (kIsGray) {
+      return {red, red, red, blended(3)};
     }
-    return result;
+    return {red, blended(1), blended(2), blended(3)};
   }
   [[nodiscard]] HWY_INLINE float unit() const { return layout_.unit; }
   [[nodiscard]] HWY_INLINE float scale() const { return layout_.scale; }
@@ -102,6 +129,36 @@ class LaneFetch {
   static std::size_t number(std::int32_t place) { return static_cast<std::size_t>(place); }
 
   TextureLayout layout_;
+};
+
+using LaneFetch = AnyFetch<false>;
+
+/// The levels of a texture for a strip of places: where a vector holds a word of all of them, lanes choose theirs by a shuffle.
+class LevelTable {
+ public:
+  HWY_INLINE explicit LevelTable(const TextureLayout& layout) : layout_(layout), fits_(layout.level_count <= static_cast<std::int32_t>(kLanes)) {
+    if (fits_) {
+      const auto last = static_cast<std::size_t>(layout.level_count - 1);
+      hn::Vec<IntTag> words[4];
+      load_quads([&](std::size_t i) { return &layout.levels[i < last ? i : last].width; }, words);
+      for (std::size_t word = 0; word < 4; ++word) {
+        store(words_[word].data(), Int(words[word]));
+      }
+    }
+  }
+  [[nodiscard]] HWY_INLINE std::int32_t level_count() const { return layout_.level_count; }
+  [[nodiscard]] HWY_INLINE LevelPlace<Float> level(Int number) const {
+    if (HWY_LIKELY(fits_)) {
+      const LaneChoice lanes(number);
+      return {lanes(words_[0].data()), lanes(words_[1].data()), lanes(words_[2].data()), lanes(words_[3].data())};
+    }
+    return LaneFetch(layout_).level(number);
+  }
+
+ private:
+  const TextureLayout& layout_;
+  bool fits_;
+  alignas(64) std::array<std::array<std::int32_t, kLanes>, 4> words_;
 };
 
 /// Has a texel come nearer; its value is not waited for.

@@ -1,8 +1,6 @@
 // What of each light, and of all that surrounds it, arrives at fragments: at a batch of them, or at a strip. Part of a row (row.cpp).
 #pragma once
 
-#include <cstring>
-
 #include "raster/row_strip.hpp"
 
 // What a kernel fills is not cleared first.
@@ -38,72 +36,6 @@ HWY_INLINE const float* find_visibilities(const PreparedScene& scene, TileScratc
   }
   return s.visibilities.data();
 }
-
-/// The normals of the faces that a strip's fragments lie in. Neighbours mostly lie in the same one, and it is found once for a row of
-/// them: a normal asks for three vertices.
-class FaceNormals {
- public:
-  HWY_INLINE explicit FaceNormals(const Run& run) : run_(run) {}
-
-  /// The batch from i on will get() them.
-  HWY_INLINE void ask(std::size_t i) {
-    const std::uint32_t* record = &run_.fragments.record[run_.begin + i];
-    const std::size_t last = (run_.count - i < kLanes ? run_.count - i : kLanes) - 1;
-    const Mask ends = first_lanes(last) & !(load(record) == load(record + 1));  // of rows of one face, but for the last one's
-    store_chosen(ends, &records_[count_], load(record));
-    std::int32_t rank = 0;
-    std::array<std::int32_t, kLanes> ranks;
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      ranks[lane] = rank;
-      rank += static_cast<std::int32_t>(mask_bits(ends) >> lane & 1U);
-    }
-    std::memcpy(&rank_[i], ranks.data(), sizeof ranks);
-    begin_[i / kLanes] = count_;
-    count_ += static_cast<std::size_t>(rank);
-    records_[count_++] = record[last];
-  }
-
-  HWY_INLINE void find() {
-    const PreparedScene& scene = *run_.frame.scene;
-    for (std::size_t lane = 0; lane < kLanes && count_ > 0; ++lane) {
-      records_[count_ + lane] = records_[count_ - 1];
-    }
-    for (std::size_t i = 0; i < count_; i += kLanes) {
-      const auto words_from = [&](std::size_t word, hn::Vec<IntTag>* words) {
-        load_quads([&](std::size_t lane) { return reinterpret_cast<const std::int32_t*>(&run_.s.records[records_[i + lane]]) + word; }, words);
-      };
-      hn::Vec<IntTag> vertices[4], last[4];
-      words_from(word_vertex, vertices);
-      words_from(word_flags - 3, last);
-      const Faces faces{.scene = scene,
-                        .instance = run_.instance,
-                        .material = run_.material,
-                        .vertices = {{Int(vertices[0]), Int(vertices[1]), Int(vertices[2])}, nullptr},
-                        .side = side_of(scene.shading, last[3]),
-                        .normals = {}};
-      const Vec3<Float> normal = faces.face_normal();
-      store(&normals_[0][i], normal.x);
-      store(&normals_[1][i], normal.y);
-      store(&normals_[2][i], normal.z);
-    }
-  }
-
-  HWY_INLINE void forget() { count_ = 0; }
-
-  [[nodiscard]] HWY_INLINE Vec3<Float> get(std::size_t i) const {
-    const std::size_t begin = begin_[i / kLanes];
-    const Int rank = load(&rank_[i]);
-    return {choose_lanes(&normals_[0][begin], rank), choose_lanes(&normals_[1][begin], rank), choose_lanes(&normals_[2][begin], rank)};
-  }
-
- private:
-  const Run& run_;
-  std::size_t count_ = 0;
-  alignas(64) std::array<std::uint32_t, kStrip + 2 * kLanes> records_;
-  std::array<std::size_t, kStrip / kLanes> begin_;     // of a batch's faces
-  alignas(64) std::array<std::int32_t, kStrip> rank_;  // of a fragment's face among its batch's
-  alignas(64) std::array<std::array<float, kStrip + 2 * kLanes>, 3> normals_;
-};
 
 /// What a strip's fragments read of a map.
 struct Squares {
@@ -148,21 +80,16 @@ struct Squares {
 };
 
 /// The same of a strip. Where a light is behind the surface nothing asks for it. Short loops: the processor works at several vectors at once.
-inline HWY_NOINLINE void find_visibilities(const Run& run, const Strip& strip) {
+inline HWY_NOINLINE void find_visibilities(const Run& run, const FaceTable& faces, const Strip& strip) {
   const PreparedScene& scene = *run.frame.scene;
   const std::size_t batches = (run.count + kLanes - 1) / kLanes;
-  FaceNormals normals(run);
+  const auto face_normal_at = [&](std::size_t i) { return Faces(faces, i / kLanes).face_normal(); };
   Squares squares;
   std::array<std::size_t, kStrip / kLanes> asked;  // the first fragments of batches that face the light
   if (!scene.occlusion.empty()) {
     for (std::size_t i = 0; i < run.count; i += kLanes) {
-      normals.ask(i);
+      find_openness(scene, run.s, i, Strip::get(strip.position, i), Strip::get(strip.normal, i), face_normal_at(i));
     }
-    normals.find();
-    for (std::size_t i = 0; i < run.count; i += kLanes) {
-      find_openness(scene, run.s, i, Strip::get(strip.position, i), Strip::get(strip.normal, i), normals.get(i));
-    }
-    normals.forget();
   }
   for (std::size_t l = 0; l < scene.shadows.maps.size(); ++l) {
     const DepthMap& map = scene.shadows.maps[l];
@@ -173,15 +100,13 @@ inline HWY_NOINLINE void find_visibilities(const Run& run, const Strip& strip) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < batches * kLanes; i += kLanes) {
       if (squares.aim(i, scene.lights[l], Strip::get(strip.position, i), Strip::get(strip.normal, i))) {
-        normals.ask(i);
         asked[count++] = i;
       } else {
         store(visibilities + i, Float(0));
       }
     }
-    normals.find();
     for (std::size_t b = 0; b < count; ++b) {
-      const Vec3<Float> face_normal = normals.get(asked[b]);
+      const Vec3<Float> face_normal = face_normal_at(asked[b]);
       squares.put(asked[b], square_around(map, Strip::get(strip.position, asked[b]), face_normal));
       squares.prefetch(map, asked[b]);
       store(visibilities + asked[b], squares.facing(asked[b], face_normal, Strip::get(strip.normal, asked[b])));
@@ -189,7 +114,6 @@ inline HWY_NOINLINE void find_visibilities(const Run& run, const Strip& strip) {
     for (std::size_t b = 0; b < count; ++b) {
       store(visibilities + asked[b], share_that_is_lit(map, squares.get(asked[b])) * load(visibilities + asked[b]));
     }
-    normals.forget();
   }
 }
 

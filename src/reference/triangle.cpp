@@ -165,9 +165,9 @@ Interpolants interpolants_at(const View& view, const ScreenTriangle& t, std::int
 
 WeightSlopes<float> weight_slopes_at(const View& view, const ScreenTriangle& t, std::int32_t px, std::int32_t py) {
   const CornerWeights at = corner_weights_at(view, t, px, py);
-  const WeightSlopes<float> corners =
-      weight_slopes<float>(view.projection == Projection::perspective, t.x, t.y, 1.0F / static_cast<float>(t.area2), t.depth_key, at.w1, at.w2,
-                           depth_of(view, at.key));
+  const bool is_perspective = view.projection == Projection::perspective;
+  const auto of = corner_slopes<float>(is_perspective, t.x, t.y, 1.0F / static_cast<float>(t.area2), t.depth_key);
+  const WeightSlopes<float> corners = weight_slopes(is_perspective, of, at.w1, at.w2, depth_of(view, at.key));
   const Vec3f dx = at_vertices(t, corners.dx[0], corners.dx[1], corners.dx[2]);
   const Vec3f dy = at_vertices(t, corners.dy[0], corners.dy[1], corners.dy[2]);
   return {{dx.x, dx.y, dx.z}, {dy.x, dy.y, dy.z}};

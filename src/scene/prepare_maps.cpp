@@ -66,6 +66,7 @@ ShadingMap prepare_map(const TextureUse& use) {
   map.channel = use.channel;
   map.leaves_outside = use.leaves_outside;
   map.uv_matrix = use.uv_matrix;
+  map.has_matrix = use.uv_matrix != ShadingMap().uv_matrix;
   map.gain = use.gain;
   map.base = use.base;
   return map;

@@ -31,8 +31,11 @@ struct ShadingMap {
   std::uint8_t channel = 0;
   bool leaves_outside = false;
   std::array<float, 6> uv_matrix{1, 0, 0, 0, 1, 0};
+  bool has_matrix = false;  ///< it is another than that
   Vec3f gain{1, 1, 1};
   Vec3f base;
+
+  [[nodiscard]] bool is_stretched() const { return gain.x != 1 || gain.y != 1 || gain.z != 1 || base.x != 0 || base.y != 0 || base.z != 0; }
 };
 
 /// All maps of a material: those that have something to say where it is drawn.
@@ -57,30 +60,50 @@ struct WeightSlopes {
   Weights<F> dx, dy;
 };
 
-/// The slopes of the weights of a screen triangle's corners, before they are swapped or blended into those of a clipped triangle's vertices
-/// (which are linear, so that slopes go the same way as weights).
-///
+/// How the weights of a screen triangle's corners 1 and 2 change on the image before they are made perspective-correct, a pixel to the right and
+/// a pixel down: of the triangle alone. With perspective, each is times its corner's depth key.
+template <class F>
+struct CornerSlopes {
+  F w1_dx, w2_dx, w1_dy, w2_dy;
+  F key_dx, key_dy;  ///< of the depth key, with perspective
+};
+
 /// x, y          the corners, 1/256 pixel
 /// inverse_area  1 / twice the area, in 1/65536 pixel^2
 /// key           depth keys of the corners; 1/depth with perspective
-/// w1, w2        weights of corners 1 and 2 at the point, perspective-correct
-/// depth         at the point
 template <class F>
-LUSTRO_INLINE WeightSlopes<F> weight_slopes(bool is_perspective, const std::array<IntOf<F>, 3>& x, const std::array<IntOf<F>, 3>& y,
-                                            const F& inverse_area, const std::array<F, 3>& key, const F& w1, const F& w2, const F& depth) {
+LUSTRO_INLINE CornerSlopes<F> corner_slopes(bool is_perspective, const std::array<IntOf<F>, 3>& x, const std::array<IntOf<F>, 3>& y,
+                                            const F& inverse_area, const std::array<F, 3>& key) {
   const F per_pixel = inverse_area * F(256);
   // Edge functions 1 and 2 are linear: (x0 - x2) (py - y2) - (y0 - y2) (px - x2), and so on.
-  F w1_dx = to_float(y[2] - y[0]) * per_pixel;
-  F w1_dy = to_float(x[0] - x[2]) * per_pixel;
-  F w2_dx = to_float(y[0] - y[1]) * per_pixel;
-  F w2_dy = to_float(x[1] - x[0]) * per_pixel;
+  const F w1_dx = to_float(y[2] - y[0]) * per_pixel;
+  const F w1_dy = to_float(x[0] - x[2]) * per_pixel;
+  const F w2_dx = to_float(y[0] - y[1]) * per_pixel;
+  const F w2_dy = to_float(x[1] - x[0]) * per_pixel;
+  if (!is_perspective) {
+    return {w1_dx, w2_dx, w1_dy, w2_dy, F(0), F(0)};
+  }
+  return {w1_dx * key[1],
+          w2_dx * key[2],
+          w1_dy * key[1],
+          w2_dy * key[2],
+          (key[1] - key[0]) * w1_dx + (key[2] - key[0]) * w2_dx,
+          (key[1] - key[0]) * w1_dy + (key[2] - key[0]) * w2_dy};
+}
+
+/// The slopes of the corners' weights at a point, before they are swapped or blended into those of a clipped triangle's vertices (which are
+/// linear, so that slopes go the same way as weights).
+///
+/// w1, w2  weights of corners 1 and 2 at the point, perspective-correct
+/// depth   at the point
+template <class F>
+LUSTRO_INLINE WeightSlopes<F> weight_slopes(bool is_perspective, const CornerSlopes<F>& of, const F& w1, const F& w2, const F& depth) {
+  F w1_dx = of.w1_dx, w2_dx = of.w2_dx, w1_dy = of.w1_dy, w2_dy = of.w2_dy;
   if (is_perspective) {  // w_i = (b_i key_i) / key
-    const F key_dx = (key[1] - key[0]) * w1_dx + (key[2] - key[0]) * w2_dx;
-    const F key_dy = (key[1] - key[0]) * w1_dy + (key[2] - key[0]) * w2_dy;
-    w1_dx = (w1_dx * key[1] - w1 * key_dx) * depth;
-    w1_dy = (w1_dy * key[1] - w1 * key_dy) * depth;
-    w2_dx = (w2_dx * key[2] - w2 * key_dx) * depth;
-    w2_dy = (w2_dy * key[2] - w2 * key_dy) * depth;
+    w1_dx = (w1_dx - w1 * of.key_dx) * depth;
+    w1_dy = (w1_dy - w1 * of.key_dy) * depth;
+    w2_dx = (w2_dx - w2 * of.key_dx) * depth;
+    w2_dy = (w2_dy - w2 * of.key_dy) * depth;
   }
   return {{-(w1_dx + w2_dx), w1_dx, w2_dx}, {-(w1_dy + w2_dy), w1_dy, w2_dy}};
 }
@@ -111,6 +134,9 @@ LUSTRO_INLINE SurfaceSlopes<F> surface_slopes(const Vec3<F>& ab, const Vec3<F>& 
 /// A surface's coordinates as a map's: TextureUse::uv_matrix.
 template <class F>
 LUSTRO_INLINE Footprint<F> on_map(const ShadingMap& map, const Footprint<F>& at) {
+  if (!map.has_matrix) {
+    return at;
+  }
   const std::array<float, 6>& m = map.uv_matrix;
   return {(F(m[0]) * at.u + F(m[1]) * at.v) + F(m[2]), (F(m[3]) * at.u + F(m[4]) * at.v) + F(m[5]), F(m[0]) * at.u_dx + F(m[1]) * at.v_dx,
           F(m[3]) * at.u_dx + F(m[4]) * at.v_dx,       F(m[0]) * at.u_dy + F(m[1]) * at.v_dy,       F(m[3]) * at.u_dy + F(m[4]) * at.v_dy};
@@ -311,7 +337,7 @@ HeightSlopes<F> height_slopes(const ShadingMap& map, const Footprint<F>& surface
   const F half_u = texels * F(0.5F / map.width);
   const F half_v = texels * F(0.5F / map.height);
   const auto height = [&](const F& u, const F& v) {
-    Texel<F> texel = fetch_places(sampler, fetch, places_at(sampler, fetch, u, v, lod));
+    Texel<F> texel = fetch_places<F>(sampler, fetch, places_at(sampler, fetch, u, v, lod));
     for (F& channel : texel) {
       channel = channel * F(fetch.scale());
     }

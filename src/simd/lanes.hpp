@@ -94,7 +94,16 @@ HWY_INLINE Int lane_max(Int a, Int b) { return hn::Max(a.v, b.v); }
 HWY_INLINE Int bits_of(Float a) { return hn::BitCast(kInts, a.v); }
 HWY_INLINE Float from_bits(Int a) { return hn::BitCast(kFloats, a.v); }
 HWY_INLINE Float to_float(Int a) { return hn::ConvertTo(kFloats, a.v); }
+/// Of what fits 32 bits. (On x86, Highway repairs what does not by four instructions more.)
+#if HWY_TARGET == HWY_SSE4
+HWY_INLINE Int truncate(Float a) { return hn::Vec<IntTag>{_mm_cvttps_epi32(a.v.raw)}; }
+#elif HWY_TARGET == HWY_AVX2
+HWY_INLINE Int truncate(Float a) { return hn::Vec<IntTag>{_mm256_cvttps_epi32(a.v.raw)}; }
+#elif HWY_TARGET == HWY_AVX3
+HWY_INLINE Int truncate(Float a) { return hn::Vec<IntTag>{_mm512_cvttps_epi32(a.v.raw)}; }
+#else
 HWY_INLINE Int truncate(Float a) { return hn::ConvertTo(kInts, a.v); }
+#endif
 HWY_INLINE Float floor_of(Float a) { return hn::Floor(a.v); }
 
 HWY_INLINE Float load(const float* p) { return hn::LoadU(kFloats, p); }
@@ -127,6 +136,31 @@ HWY_INLINE std::uint32_t mask_bits(Mask m) {
 #endif
 }
 HWY_INLINE std::size_t count_true(Mask m) { return static_cast<std::size_t>(__builtin_popcount(mask_bits(m))); }
+/// Of every mask of eight lanes: how many are set before each, a byte a lane.
+inline constexpr auto kCountsBefore = [] {
+  std::array<std::uint64_t, 256> result{};
+  for (std::uint32_t mask = 0; mask < 256; ++mask) {
+    for (std::uint32_t lane = 0, count = 0; lane < 8; ++lane) {
+      result[mask] |= std::uint64_t{count} << 8 * lane;
+      count += mask >> lane & 1;
+    }
+  }
+  return result;
+}();
+/// How many lanes are set before each.
+HWY_INLINE Int counts_before(std::uint32_t bits) {
+#if HWY_TARGET == HWY_SCALAR
+  return Int(static_cast<std::int32_t>(bits & 0));
+#else
+  const hn::Rebind<std::uint8_t, IntTag> bytes;
+  if constexpr (kLanes <= 8) {
+    return hn::PromoteTo(kInts, hn::LoadU(bytes, reinterpret_cast<const std::uint8_t*>(&kCountsBefore[bits & 0xFF])));
+  }
+  constexpr std::uint64_t kEach = 0x0101010101010101;
+  const std::array<std::uint64_t, 2> counts{kCountsBefore[bits & 0xFF], kCountsBefore[bits >> 8 & 0xFF] + static_cast<std::uint64_t>(__builtin_popcount(bits & 0xFF)) * kEach};
+  return hn::PromoteTo(kInts, hn::LoadU(bytes, reinterpret_cast<const std::uint8_t*>(counts.data())));
+#endif
+}
 /// The lanes of a mask, one after the other; kLanes entries are written. (Some processors need a hundred cycles to store fewer.)
 #if HWY_TARGET == HWY_AVX2  // GCC copies the table of Highway's own Compress to the stack at every call
 /// Of every mask of eight lanes: the chosen lanes' numbers, four bits each, the first the lowest.
@@ -199,22 +233,6 @@ HWY_INLINE hn::Vec<Tag> load_blocks(Tag tag, First&& first, Second&& second, std
 }
 #endif
 
-#if HWY_TARGET != HWY_SCALAR
-/// kLanes blocks of four words, every fourth lane's in a row of its own, transposed: words[w] holds word w of all of them.
-HWY_INLINE void transpose_blocks(hn::Vec<IntTag> row0, hn::Vec<IntTag> row1, hn::Vec<IntTag> row2, hn::Vec<IntTag> row3,
-                                 hn::Vec<IntTag>* words) {
-  const hn::Repartition<std::int64_t, IntTag> halves;
-  const auto low01 = hn::BitCast(halves, hn::InterleaveLower(kInts, row0, row1));
-  const auto low23 = hn::BitCast(halves, hn::InterleaveLower(kInts, row2, row3));
-  const auto high01 = hn::BitCast(halves, hn::InterleaveUpper(kInts, row0, row1));
-  const auto high23 = hn::BitCast(halves, hn::InterleaveUpper(kInts, row2, row3));
-  words[0] = hn::BitCast(kInts, hn::InterleaveLower(halves, low01, low23));
-  words[1] = hn::BitCast(kInts, hn::InterleaveUpper(halves, low01, low23));
-  words[2] = hn::BitCast(kInts, hn::InterleaveLower(halves, high01, high23));
-  words[3] = hn::BitCast(kInts, hn::InterleaveUpper(halves, high01, high23));
-}
-#endif
-
 /// Four words of kLanes structures, transposed: words[w] holds word w of all of them. at(i) is where those of lane i begin. Loads of 16 bytes
 /// and shuffles cost less than four gathers on every machine, and on some a fifth.
 template <class At>
@@ -224,41 +242,19 @@ HWY_INLINE void load_quads(At&& at, hn::Vec<IntTag>* words) {
     words[w] = Int(at(std::size_t{0})[w]).v;
   }
 #else
-  transpose_blocks(load_blocks(kInts, at, 0), load_blocks(kInts, at, 1), load_blocks(kInts, at, 2), load_blocks(kInts, at, 3), words);
+  const auto row0 = load_blocks(kInts, at, 0), row1 = load_blocks(kInts, at, 1);
+  const auto row2 = load_blocks(kInts, at, 2), row3 = load_blocks(kInts, at, 3);
+  const hn::Repartition<std::int64_t, IntTag> halves;
+  const auto low01 = hn::BitCast(halves, hn::InterleaveLower(kInts, row0, row1));
+  const auto low23 = hn::BitCast(halves, hn::InterleaveLower(kInts, row2, row3));
+  const auto high01 = hn::BitCast(halves, hn::InterleaveUpper(kInts, row0, row1));
+  const auto high23 = hn::BitCast(halves, hn::InterleaveUpper(kInts, row2, row3));
+  words[0] = hn::BitCast(kInts, hn::InterleaveLower(halves, low01, low23));
+  words[1] = hn::BitCast(kInts, hn::InterleaveUpper(halves, low01, low23));
+  words[2] = hn::BitCast(kInts, hn::InterleaveLower(halves, high01, high23));
+  words[3] = hn::BitCast(kInts, hn::InterleaveUpper(halves, high01, high23));
 #endif
 }
-
-/// The same of two words that begin at `first(i)` and two that begin at `second(i)`.
-template <class First, class Second>
-HWY_INLINE void load_pairs(First&& first, Second&& second, hn::Vec<IntTag>* words) {
-#if HWY_TARGET == HWY_SCALAR
-  for (std::size_t w = 0; w < 2; ++w) {
-    words[w] = Int(first(std::size_t{0})[w]).v;
-    words[2 + w] = Int(second(std::size_t{0})[w]).v;
-  }
-#else
-  transpose_blocks(load_blocks(kInts, first, second, 0), load_blocks(kInts, first, second, 1), load_blocks(kInts, first, second, 2),
-                   load_blocks(kInts, first, second, 3), words);
-#endif
-}
-
-/// math/lane.hpp: gather_pairs()
-HWY_INLINE TwoPairs<Float> gather_pairs(const float* p, Int first, Int second) {
-  alignas(64) std::array<std::int32_t, kLanes> at_first, at_second;  // NOLINT(cppcoreguidelines-pro-type-member-init)
-  store(at_first.data(), first);
-  store(at_second.data(), second);
-  const auto at = [p](std::int32_t place) { return reinterpret_cast<const std::int32_t*>(p + static_cast<std::size_t>(place)); };
-  hn::Vec<IntTag> words[4];
-  load_pairs([&](std::size_t i) { return at(at_first[i]); }, [&](std::size_t i) { return at(at_second[i]); }, words);
-  return {from_bits(words[0]), from_bits(words[1]), from_bits(words[2]), from_bits(words[3])};
-}
-
-/// Lane i is p[index of lane i], one of the first kLanes.
-#if HWY_TARGET == HWY_WASM
-HWY_INLINE Float choose_lanes(const float* p, Int index) { return gather(p, index); }
-#else
-HWY_INLINE Float choose_lanes(const float* p, Int index) { return hn::TableLookupLanes(hn::LoadU(kFloats, p), hn::IndicesFromVec(kFloats, index.v)); }
-#endif
 
 /// The opposite: the four words of lane i are stored at out + 4 i.
 HWY_INLINE void store_quads(Int a, Int b, Int c, Int d, std::int32_t* out) {
@@ -272,53 +268,124 @@ HWY_INLINE void store_quads(Int a, Int b, Int c, Int d, std::int32_t* out) {
 #endif
 }
 
-/// list[index] of every lane.
-HWY_INLINE Vec3<Float> gather(const std::vector<Vec3f>& list, Int index) {
+#if HWY_TARGET != HWY_SCALAR
+/// Of each block of four words: 0 and 2 of a, then of b.
+HWY_INLINE Int even_words(Float a, Float b) {
+#if HWY_TARGET == HWY_AVX3
+  return bits_of(hn::Vec<FloatTag>{_mm512_shuffle_ps(a.v.raw, b.v.raw, 0x88)});
+#elif HWY_TARGET == HWY_AVX2
+  return bits_of(hn::Vec<FloatTag>{_mm256_shuffle_ps(a.v.raw, b.v.raw, 0x88)});
+#else
+  return bits_of(hn::ConcatEven(kFloats, b.v, a.v));
+#endif
+}
+/// 1 and 3.
+HWY_INLINE Int odd_words(Float a, Float b) {
+#if HWY_TARGET == HWY_AVX3
+  return bits_of(hn::Vec<FloatTag>{_mm512_shuffle_ps(a.v.raw, b.v.raw, 0xDD)});
+#elif HWY_TARGET == HWY_AVX2
+  return bits_of(hn::Vec<FloatTag>{_mm256_shuffle_ps(a.v.raw, b.v.raw, 0xDD)});
+#else
+  return bits_of(hn::ConcatOdd(kFloats, b.v, a.v));
+#endif
+}
+#endif
+
+/// As load_quads(), of two words.
+template <class At>
+HWY_INLINE void load_pairs(At&& at, Int& first, Int& second) {
+#if HWY_TARGET == HWY_SCALAR
+  first = Int(at(std::size_t{0})[0]);
+  second = Int(at(std::size_t{0})[1]);
+#else
+  const auto next = [&](std::size_t i) { return at(i + 1); };
+  const Float a = from_bits(load_blocks(kInts, at, next, 0));  // of every fourth lane and the one behind it
+  const Float b = from_bits(load_blocks(kInts, at, next, 2));
+  first = even_words(a, b);
+  second = odd_words(a, b);
+#endif
+}
+
+/// math/lane.hpp: gather_pairs()
+HWY_INLINE TwoPairs<Float> gather_pairs(const float* p, Int first, Int second) {
+  alignas(64) std::array<std::int32_t, kLanes> at_first, at_second;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  store(at_first.data(), first);
+  store(at_second.data(), second);
+  const auto at = [p](std::int32_t place) { return reinterpret_cast<const std::int32_t*>(p + static_cast<std::size_t>(place)); };
+  Int first_left, first_right, second_left, second_right;
+  load_pairs([&](std::size_t i) { return at(at_first[i]); }, first_left, first_right);
+  load_pairs([&](std::size_t i) { return at(at_second[i]); }, second_left, second_right);
+  return {from_bits(first_left), from_bits(first_right), from_bits(second_left), from_bits(second_right)};
+}
+
+/// Chooses among kLanes numbers side by side: lane i takes the one at its index. Made once and used for many tables.
+class LaneChoice {
+ public:
+  HWY_INLINE explicit LaneChoice(Int index) : indices_(indices_of(index)) {}
+  HWY_INLINE Float operator()(const float* p) const { return chosen(hn::LoadU(kFloats, p)); }
+  HWY_INLINE Int operator()(const std::int32_t* p) const { return bits_of(chosen(from_bits(load(p)).v)); }
+  HWY_INLINE Int operator()(const std::uint32_t* p) const { return bits_of(chosen(from_bits(load(p)).v)); }
+
+ private:
+#if HWY_TARGET == HWY_SCALAR
+  using Indices = Int;
+  static HWY_INLINE Indices indices_of(Int index) { return index; }
+  [[nodiscard]] HWY_INLINE hn::Vec<FloatTag> chosen(hn::Vec<FloatTag> of) const { return of; }
+#elif HWY_TARGET == HWY_WASM  // Highway 1.0 goes through memory
+  using Indices = v128_t;
+  static HWY_INLINE Indices indices_of(Int index) { return (index * Int(0x04040404) + Int(0x03020100)).v.raw; }
+  [[nodiscard]] HWY_INLINE hn::Vec<FloatTag> chosen(hn::Vec<FloatTag> of) const { return hn::Vec<FloatTag>{wasm_i8x16_swizzle(of.raw, indices_)}; }
+#else
+  using Indices = decltype(hn::IndicesFromVec(kFloats, hn::Zero(kInts)));
+  static HWY_INLINE Indices indices_of(Int index) { return hn::IndicesFromVec(kFloats, index.v); }
+  [[nodiscard]] HWY_INLINE hn::Vec<FloatTag> chosen(hn::Vec<FloatTag> of) const { return hn::TableLookupLanes(of, indices_); }
+#endif
+  Indices indices_;
+};
+
+/// list[index[i]] of every lane. The numbers are read from memory one by one: they address.
+HWY_INLINE Vec3<Float> gather(const std::vector<Vec3f>& list, const std::uint32_t* index) {
   const float* f = &list.data()->x;
-  alignas(64) std::uint32_t lanes[kLanes];
-  store(lanes, index);
   // Four words are loaded where three stand: not behind the last vector.
-  if (HWY_UNLIKELY(kLanes == 1 || any_of(index == Int(static_cast<std::int32_t>(list.size() - 1))))) {
-    const Int i = index + index + index;
+  if (HWY_UNLIKELY(kLanes == 1 || any_of(load(index) == Int(static_cast<std::int32_t>(list.size() - 1))))) {
+    const Int i = load(index) + load(index) + load(index);
     return {gather(f, i), gather(f, i + Int(1)), gather(f, i + Int(2))};
   }
   hn::Vec<IntTag> words[4];
-  load_quads([&](std::size_t i) { return reinterpret_cast<const std::int32_t*>(f + std::size_t{3} * lanes[i]); }, words);
+  load_quads([&](std::size_t i) { return reinterpret_cast<const std::int32_t*>(f + std::size_t{3} * index[i]); }, words);
   return {from_bits(words[0]), from_bits(words[1]), from_bits(words[2])};
 }
 
 /// The same of pairs and of fours.
-HWY_INLINE Vec2<Float> gather(const std::vector<Vec2f>& list, Int index) {
-  const float* f = &list.data()->x;
-  alignas(64) std::uint32_t lanes[kLanes];
-  store(lanes, index);
-  if (HWY_UNLIKELY(kLanes == 1 || any_of(index == Int(static_cast<std::int32_t>(list.size() - 1))))) {
-    const Int i = index + index;
-    return {gather(f, i), gather(f, i + Int(1))};
-  }
-  hn::Vec<IntTag> words[4];
-  load_quads([&](std::size_t i) { return reinterpret_cast<const std::int32_t*>(f + std::size_t{2} * lanes[i]); }, words);
-  return {from_bits(words[0]), from_bits(words[1])};
+HWY_INLINE Vec2<Float> gather(const std::vector<Vec2f>& list, const std::uint32_t* index) {
+  Int x, y;
+  load_pairs([&](std::size_t i) { return reinterpret_cast<const std::int32_t*>(&list[index[i]].x); }, x, y);
+  return {from_bits(x), from_bits(y)};
 }
-HWY_INLINE std::array<Float, 4> gather(const std::vector<std::array<float, 4>>& list, Int index) {
-  alignas(64) std::uint32_t lanes[kLanes];
-  store(lanes, index);
+HWY_INLINE std::array<Float, 4> gather(const std::vector<std::array<float, 4>>& list, const std::uint32_t* index) {
   hn::Vec<IntTag> words[4];
-  load_quads([&](std::size_t i) { return reinterpret_cast<const std::int32_t*>(list[lanes[i]].data()); }, words);
+  load_quads([&](std::size_t i) { return reinterpret_cast<const std::int32_t*>(list[index[i]].data()); }, words);
   return {from_bits(words[0]), from_bits(words[1]), from_bits(words[2]), from_bits(words[3])};
+}
+
+/// Byte kByte of every lane, the lowest is 0.
+template <std::size_t kByte>
+HWY_INLINE Int byte_of(Int a) {
+#if HWY_TARGET != HWY_SCALAR
+  if constexpr (kByte > 0) {  // one shuffle in place of a shift and a mask
+    constexpr std::uint32_t kRest = 0x80808000U;  // of a lane: nothing
+    const hn::Repartition<std::uint8_t, IntTag> bytes;
+    const auto from = hn::Add(hn::ShiftLeft<2>(hn::And(hn::Iota(kUints, 0), hn::Set(kUints, 3))), hn::Set(kUints, kRest + kByte));
+    return hn::BitCast(kInts, hn::TableLookupBytesOr0(hn::BitCast(bytes, a.v), hn::BitCast(bytes, from)));
+  }
+#endif
+  return a >> static_cast<int>(8 * kByte) & Int(0xFF);
 }
 
 /// kLanes structures of 16 words, transposed: words[w] holds word w of all of them.
 HWY_INLINE void transpose(const std::uint32_t* first, const std::uint32_t* index, Words& words) {
   for (std::size_t q = 0; q < 16; q += 4) {
     load_quads([&](std::size_t i) { return reinterpret_cast<const std::int32_t*>(first) + std::size_t{16} * index[i] + q; }, &words.w[q]);
-  }
-}
-
-/// The same structure in all lanes.
-HWY_INLINE void repeat(const std::uint32_t* structure, Words& words) {
-  for (std::size_t w = 0; w < 16; ++w) {
-    words.w[w] = Int(static_cast<std::int32_t>(structure[w])).v;
   }
 }
 

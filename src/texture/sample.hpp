@@ -170,10 +170,10 @@ TexelQuad<F> quad_at(const Sampler& sampler, const LevelPlace<F>& level, const F
   using I = IntOf<F>;
   const AxisPlace<F> x = on_axis(sampler, sampler.wrap_u, sampler.blend_u, u, level.width, is_magnified);
   const AxisPlace<F> y = on_axis(sampler, sampler.wrap_v, sampler.blend_v, v, level.height, is_magnified);
-  const I next = y.texel + I(1);
-  const I below = select(next < level.height, next, sampler.wrap_v == Wrap::repeat ? I(0) : y.texel);
   const I left = level.first + x.texel;
-  return {left + y.texel * level.row, left + below * level.row, x.share, y.share, x.inside * y.inside};
+  const I upper = left + y.texel * level.row;
+  const I lower = select(y.texel + I(1) < level.height, upper + level.row, sampler.wrap_v == Wrap::repeat ? left : upper);
+  return {upper, lower, x.share, y.share, x.inside * y.inside};
 }
 
 }  // namespace texture_detail
@@ -247,10 +247,12 @@ Places<F> places_at(const Sampler& sampler, const Fetch& fetch, const F& u, cons
 }
 
 /// The blended value of the texels at `places`, in the texture's own numbers (TextureLayout::scale).
-template <class F, class Fetch>
-LUSTRO_INLINE Texel<F> fetch_places(const Sampler& sampler, const Fetch& fetch, const Places<F>& places) {
+///
+/// AnyPlaces  Places<F>, or the same with other quads that the Fetch knows
+template <class F, class Fetch, class AnyPlaces>
+LUSTRO_INLINE Texel<F> fetch_places(const Sampler& sampler, const Fetch& fetch, const AnyPlaces& places) {
   const bool has_border = sampler.wrap_u == Wrap::clamp_to_border || sampler.wrap_v == Wrap::clamp_to_border;
-  const auto look = [&](const TexelQuad<F>& quad) __attribute__((always_inline)) {
+  const auto look = [&](const auto& quad) __attribute__((always_inline)) {
     Texel<F> texel = fetch.quad(quad);
     if (has_border) {
       for (std::size_t c = 0; c < 4; ++c) {
@@ -282,12 +284,12 @@ Texel<F> sample(const Sampler& sampler, const Fetch& fetch, float width, float h
   const FootprintSize<F> size = size_of_footprint(sampler, width, height, at);
   Texel<F> sum = {F(0), F(0), F(0), F(0)};
   if (sampler.anisotropy <= 1) {
-    sum = fetch_places(sampler, fetch, places_at(sampler, fetch, at.u, at.v, size.lod));
+    sum = fetch_places<F>(sampler, fetch, places_at(sampler, fetch, at.u, at.v, size.lod));
   } else {
     for (float look = 1; any_of(F(look) <= size.looks); look += 1) {
       const F along = F(look) / (size.looks + F(1)) - F(0.5F);
       const Texel<F> texel =
-          fetch_places(sampler, fetch, places_at(sampler, fetch, at.u + size.u_long * along, at.v + size.v_long * along, size.lod));
+          fetch_places<F>(sampler, fetch, places_at(sampler, fetch, at.u + size.u_long * along, at.v + size.v_long * along, size.lod));
       for (std::size_t c = 0; c < 4; ++c) {
         sum[c] = sum[c] + select(F(look) <= size.looks, texel[c], F(0));
       }

@@ -149,5 +149,69 @@ TEST(Lanes, LanesAreChosenByTheirNumbers) {
   }
 }
 
+TEST(Lanes, EveryLaneCountsTheSetOnesBeforeIt) {
+  for (const auto& [name, probe] : probes()) {
+    for (std::uint32_t mask = 0; mask < 1U << probe->lanes; ++mask) {
+      Lanes<std::int32_t> out{};
+      probe->counts_before(mask, out.data());
+      for (std::size_t i = 0; i < probe->lanes; ++i) {
+        ASSERT_EQ(out[i], std::popcount(mask & ((1U << i) - 1))) << name << ", mask " << mask << ", lane " << i;
+      }
+    }
+  }
+}
+
+TEST(Lanes, FloatsLoseWhatStandsBehindThePoint) {
+  const std::vector<float> values{0.0F,       -0.0F,       0.99999994F,   -0.99999994F,   1.5F,  -1.5F,
+                                  8388607.5F, -8388607.5F, 2147483520.0F, -2147483648.0F, 1e-42F};
+  for (const auto& [name, probe] : probes()) {
+    for (std::size_t first = 0; first < values.size(); ++first) {
+      Lanes<float> a{};
+      Lanes<std::int32_t> out{};
+      for (std::size_t i = 0; i < kMostLanes; ++i) {
+        a[i] = values[(first + i) % values.size()];
+      }
+      probe->truncate(a.data(), out.data());
+      for (std::size_t i = 0; i < probe->lanes; ++i) {
+        ASSERT_EQ(out[i], truncate(a[i])) << name << ": " << a[i];
+      }
+    }
+  }
+}
+
+TEST(Lanes, BytesAreTakenOutOfWords) {
+  for (const auto& [name, probe] : probes()) {
+    Lanes<std::int32_t> words{};
+    std::array<std::int32_t, 4 * kMostLanes> out{};
+    for (std::size_t i = 0; i < kMostLanes; ++i) {
+      words[i] = static_cast<std::int32_t>(0x80FF7F01U + 0x11030507U * static_cast<std::uint32_t>(i));
+    }
+    probe->bytes_of(words.data(), out.data());
+    for (std::size_t byte = 0; byte < 4; ++byte) {
+      for (std::size_t i = 0; i < probe->lanes; ++i) {
+        ASSERT_EQ(out[byte * probe->lanes + i], static_cast<std::int32_t>(static_cast<std::uint32_t>(words[i]) >> 8 * byte & 0xFF))
+            << name << ", byte " << byte << " of lane " << i;
+      }
+    }
+  }
+}
+
+TEST(Lanes, PairsAreReadFromWhereverTheyBegin) {
+  std::array<std::int32_t, 64> numbers{};
+  std::iota(numbers.begin(), numbers.end(), 1000);
+  for (const auto& [name, probe] : probes()) {
+    Lanes<std::int32_t> at{};
+    std::array<std::int32_t, 2 * kMostLanes> out{};
+    for (std::size_t i = 0; i < kMostLanes; ++i) {
+      at[i] = static_cast<std::int32_t>(i * 37 % 63);
+    }
+    probe->load_pairs(numbers.data(), at.data(), out.data());
+    for (std::size_t i = 0; i < probe->lanes; ++i) {
+      ASSERT_EQ(out[i], 1000 + at[i]) << name << ", lane " << i;
+      ASSERT_EQ(out[probe->lanes + i], 1001 + at[i]) << name << ", lane " << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace lustro
