@@ -148,9 +148,9 @@ inline constexpr auto kCountsBefore = [] {
   return result;
 }();
 /// How many lanes are set before each.
-HWY_INLINE Int counts_before(std::uint32_t bits) {
+HWY_INLINE Int counts_before([[maybe_unused]] std::uint32_t bits) {
 #if HWY_TARGET == HWY_SCALAR
-  return Int(static_cast<std::int32_t>(bits & 0));
+  return {0};
 #else
   const hn::Rebind<std::uint8_t, IntTag> bytes;
   if constexpr (kLanes <= 8) {
@@ -330,7 +330,7 @@ class LaneChoice {
 #if HWY_TARGET == HWY_SCALAR
   using Indices = Int;
   static HWY_INLINE Indices indices_of(Int index) { return index; }
-  [[nodiscard]] HWY_INLINE hn::Vec<FloatTag> chosen(hn::Vec<FloatTag> of) const { return of; }
+  [[nodiscard]] static HWY_INLINE hn::Vec<FloatTag> chosen(hn::Vec<FloatTag> of) { return of; }
 #elif HWY_TARGET == HWY_WASM  // Highway 1.0 goes through memory
   using Indices = v128_t;
   static HWY_INLINE Indices indices_of(Int index) { return (index * Int(0x04040404) + Int(0x03020100)).v.raw; }
