@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   gltf.spare_values = 1U << 18U;
   gltf.image_limits = {.side = 512, .pixels = 1 << 16, .chunk_bytes = 1 << 20};
   gltf.read = [](const std::string& path) -> Result<FileBytes> {
-    require(!path.empty() && path.front() != '/' && !path.starts_with(".."), "files are read beside the document alone");
+    require(!path.empty() && path.front() != '/' && path != ".." && !path.starts_with("../"), "files are read beside the document alone");
     FileBytes beside;
     beside.size = 840;
     beside.data = make_big_array<char>(beside.size);
